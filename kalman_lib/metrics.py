@@ -1,0 +1,91 @@
+"""How good is an estimate, and does the filter know how good it is?
+
+Source of NEES and NIS: Bar-Shalom, Li and Kirubarajan, Estimation with Applications to Tracking and Navigation, 5.4.
+"""
+import math
+
+import numpy as np
+
+
+def rmse(x_true, x):
+    """Root mean square error over time: (T, n) against (T, n) -> (n,); (T,) against (T,) -> a number. Unit of x."""
+    x_true, x = np.asarray(x_true, dtype=float), np.asarray(x, dtype=float)
+    if x_true.shape != x.shape:
+        raise ValueError(f"x has shape {x.shape}, expected {x_true.shape} like x_true. / "
+                         f"x berukuran {x.shape}, seharusnya {x_true.shape} seperti x_true.")
+    return np.sqrt(np.mean((x_true - x) ** 2, axis=0))
+
+
+def nees(x_true, x, P):
+    """Normalised estimation error squared, (x_true - x)' P^-1 (x_true - x): (T, n), (T, n), (T, n, n) -> (T,).
+
+    If the filter's P is honest, its mean is n.
+    """
+    return _quadratic(np.asarray(x_true, dtype=float) - x, P)
+
+
+def nis(y, S):
+    """Normalised innovation squared, y' S^-1 y: (T, m), (T, m, m) -> (T,), NaN where the measurement is missing.
+
+    Needs no truth. If the filter is consistent, its mean is m.
+    """
+    return _quadratic(y, S)
+
+
+def chi2_bounds(dof, runs=1, probability=0.95):
+    """(low, high) between which the mean of `runs` independent NEES or NIS values lies with that probability.
+
+    dof = n for NEES, m for NIS. The sum of the values is chi-square with dof * runs degrees of freedom.
+    """
+    tail = (1 - probability) / 2
+    return tuple(chi2_quantile(p, dof * runs) / runs for p in (tail, 1 - tail))
+
+
+def chi2_quantile(p, dof):
+    """The value below which a chi-square variable with dof degrees of freedom lies with probability p."""
+    if not 0 < p < 1 or not dof > 0:
+        raise ValueError(f"p = {p} and dof = {dof}: expected 0 < p < 1 and dof > 0. / "
+                         f"p = {p} dan dof = {dof}: seharusnya 0 < p < 1 dan dof > 0.")
+    low, high = 0.0, dof + 10 * math.sqrt(2 * dof)
+    while chi2_cdf(high, dof) < p:
+        high *= 2
+    while high - low > 1e-13 * high:            # halve the interval until it has no width left
+        middle = (low + high) / 2
+        low, high = (middle, high) if chi2_cdf(middle, dof) < p else (low, middle)
+    return (low + high) / 2
+
+
+def chi2_cdf(value, dof):
+    """Probability that a chi-square variable stays below value: the regularised incomplete gamma function P(a, x).
+
+    Series below the mean, Lentz's continued fraction above it (Abramowitz and Stegun 6.5.29 and 6.5.31).
+    """
+    a, x = dof / 2, value / 2
+    if x <= 0:
+        return 0.0
+    front = math.exp(a * math.log(x) - x - math.lgamma(a))
+    if x < a + 1:
+        term = total = 1 / a
+        k = a
+        while term > 1e-17 * total:
+            k += 1
+            term *= x / k
+            total += term
+        return front * total
+    b = x + 1 - a
+    c, d = 1e300, 1 / b
+    fraction = d
+    for i in range(1, 100_000):
+        b += 2
+        d = 1 / (b + i * (a - i) * d)
+        c = b + i * (a - i) / c
+        fraction *= c * d
+        if abs(c * d - 1) < 1e-15:
+            break
+    return 1 - front * fraction
+
+
+def _quadratic(e, P):
+    """e' P^-1 e for every row: (T, n), (T, n, n) -> (T,)."""
+    e = np.asarray(e, dtype=float)
+    return np.einsum("ki,ki->k", e, np.linalg.solve(P, e[..., np.newaxis])[..., 0])

@@ -1,0 +1,174 @@
+"""Chapter 2: the scalar filter of a spreadsheet. Source: Rudiyanto, Setiawan and Saptomo (2006), Figures 2 and 3."""
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..models import LinearModel
+from ..simulate import Trajectory
+from ..simulate import simulate as simulate_model
+from . import check, param
+
+# The form of the paper's Figure 3, as printed: 16 measurements and the 16 filtered values beside them
+MEASURED = np.array([-0.39, -0.49, -0.48, -0.3, -0.25, -0.31, -0.33, -0.48,
+                     -0.41, -0.44, -0.38, -0.36, -0.42, -0.44, -0.51, -0.28])
+FILTERED = np.array([-0.389996, -0.456665, -0.471249, -0.365238, -0.294, -0.303889, -0.320027, -0.418896,
+                     -0.413398, -0.429839, -0.399037, -0.374911, -0.402777, -0.425782, -0.477832, -0.355565])
+
+
+@dataclass(frozen=True)
+class Params:
+    Q: float = param(1e-5, min=1e-12, max=1e6, step=0.1, unit="unit²", log=True,
+                     id="varians derau proses", en="process-noise variance")
+    R: float = param(1e-5, min=1e-12, max=1e6, step=0.1, unit="unit²", log=True,
+                     id="varians derau pengukuran", en="measurement-noise variance")
+    x0: float = param(0, min=-1e9, max=1e9, step=0.01, unit="unit", id="tebakan awal", en="initial guess")
+    P0: float = param(1, min=0, max=1e9, step=0.1, unit="unit²", log=True,
+                      id="varians tebakan awal", en="variance of the initial guess")
+    window: int = param(3, min=1, max=500, step=1, unit="sampel", id="jendela rataan bergerak",
+                        en="window of the moving average")
+
+
+def model(p):
+    """A random walk that is measured directly: x = x + w, z = x + v; x and z in the unit of the data."""
+    check(p)
+    return LinearModel(F=1, H=1, Q=p.Q, R=p.R, x0=p.x0, P0=p.P0)
+
+
+def simulate(p, rng, steps=200):
+    """A synthetic random walk and its measurements -> Trajectory."""
+    return simulate_model(model(p), steps, rng)
+
+
+# --- synthetic look-alikes of the paper's three recordings, whose data was never published --------------------
+
+def silkworm_room(rng, steps=288):
+    """SYNTHETIC room temperature, degC, every 5 minutes for a day: daily wave, heater cycling, noise 0.3 degC."""
+    hours = np.arange(steps) / 12
+    x = 26 + 1.5 * np.sin(2 * np.pi * (hours - 9) / 24) + 0.35 * np.sign(np.sin(2 * np.pi * hours / 4))
+    return _look_alike(x, 0.3, rng)
+
+
+def cutting_force(rng, steps=200):
+    """SYNTHETIC force on a knife in oil-palm frond, N: slow rise, cut through, fall; noise 1.5 N."""
+    s = np.linspace(0, 1, steps)
+    x = 40 * np.clip(s / 0.55, 0, 1) ** 1.5 * (1 - np.clip((s - 0.6) / 0.3, 0, 1) ** 2)
+    return _look_alike(x, 1.5, rng)
+
+
+def tank_level(rng, steps=240):
+    """SYNTHETIC water level of a recirculating tank, cm: pumped up and drained in turn; noise 0.4 cm."""
+    minutes = np.arange(steps)
+    x = 50 + 4 * np.abs((minutes / 80) % 2 - 1)
+    return _look_alike(x, 0.4, rng)
+
+
+def _look_alike(x, sigma, rng):
+    return Trajectory(x[:, np.newaxis], (x + rng.normal(0, sigma, len(x)))[:, np.newaxis])
+
+
+# --- the gain, and what it is worth in samples of a moving average ------------------------------------------------
+
+def steady_gain(q):
+    """The gain K that the filter settles at, for q = Q / R: the positive root of K^2 + q K - q = 0."""
+    q = np.asarray(q, dtype=float)
+    return 2 * q / (q + np.sqrt(q * q + 4 * q))     # = (-q + sqrt(q^2 + 4 q)) / 2 without its cancellation
+
+
+def equal_window(K):
+    """The moving average that suppresses white noise as much as the steady gain K: K / (2 - K) = 1 / n."""
+    return 2 / K - 1
+
+
+# --- the filter's rivals -------------------------------------------------------------------------------------------
+
+def moving_average(z, window):
+    """Mean of the last `window` values of z (T,), as a spreadsheet does it; fewer at the start; gaps left out."""
+    known = np.isfinite(z)
+    total, count = np.cumsum(np.where(known, z, 0.0)), np.cumsum(known)
+    total[window:], count[window:] = total[window:] - total[:-window], count[window:] - count[:-window]
+    return np.where(count > 0, total / np.maximum(count, 1), np.nan)
+
+
+def exponential(z, K):
+    """Exponential smoothing x = x + K (z - x), starting at the first value of z (T,); a gap keeps x."""
+    x = np.empty(len(z))
+    x[0] = z[0]
+    for k in range(1, len(z)):
+        x[k] = x[k - 1] if np.isnan(z[k]) else x[k - 1] + K * (z[k] - x[k - 1])
+    return x
+
+
+# --- smoothness and lag: the two sides of every filter --------------------------------------------------------------
+
+def roughness(x):
+    """Standard deviation of the step from value to value: the smaller, the smoother. Unit of x."""
+    return np.nanstd(np.diff(x))
+
+
+def lag(x, reference, longest=50):
+    """How many samples x (T,) runs behind the reference (T,): the shift that leaves the smallest squared difference.
+
+    A parabola through the best whole shift and its neighbours gives the fraction.
+    """
+    longest = min(longest, len(x) // 2)
+    cost = [np.nanmean((x[longest:] - reference[longest - d:len(x) - d]) ** 2) for d in range(longest + 1)]
+    d = int(np.argmin(cost))
+    if d in (0, longest):
+        return float(d)
+    left, middle, right = cost[d - 1:d + 2]
+    return d + (left - right) / (2 * (left - 2 * middle + right))
+
+
+# --- where Q and R come from ----------------------------------------------------------------------------------------
+
+def recover(z, x, x0=0):
+    """The gains K and the ratios r = P / R that must have turned z (T,) into the filtered x (T,), started at x0.
+
+    K_k = (x_k - x_{k-1}) / (z_k - x_{k-1}); since P_k = K_k R, the prediction gives
+    K / (1 - K) = P_pred / R = K_previous + Q / R. Returns K (T,), P_pred / R (T,) and Q / R (T - 1,).
+    """
+    before = np.concatenate(([x0], x[:-1]))
+    K = (x - before) / (z - before)
+    P_pred = K / (1 - K)
+    return K, P_pred, P_pred[1:] - K[:-1]
+
+
+def R_from_steady(z):
+    """R by least squares where the quantity stands still: the variance of z (T,) about its mean (gaps left out)."""
+    return np.nanvar(z, ddof=1)
+
+
+def log_likelihood(z, Q, R):
+    """Log-likelihood of the measurements z (T,) for every pair of the arrays Q and R (same shape, unit of z squared).
+
+    The innovations of the filter are independent, y ~ N(0, S), so their log-densities add up. The first value only
+    starts the filter (x = z, P = R), as if nothing had been known before. Gaps are steps without a measurement.
+    """
+    Q, R = np.broadcast_arrays(np.asarray(Q, dtype=float), np.asarray(R, dtype=float))
+    z = z[np.argmax(np.isfinite(z)):]
+    x, P, total = np.full(Q.shape, z[0]), R.copy(), np.zeros(Q.shape)
+    for z_k in z[1:]:
+        P = P + Q
+        if np.isnan(z_k):
+            continue
+        y, S = z_k - x, P + R
+        total -= (np.log(2 * np.pi * S) + y * y / S) / 2
+        K = P / S
+        x, P = x + K * y, K * R
+    return total
+
+
+def maximum_likelihood(z, decades=8, points=41, rounds=8):
+    """The pair (Q, R) that makes the measurements z (T,) most likely: a search on a log grid that closes in."""
+    scale = np.nanvar(np.diff(z[np.isfinite(z)]))
+    if not scale > 0:
+        raise ValueError("the values never change, so Q and R cannot be found. / "
+                         "nilainya tidak pernah berubah, sehingga Q dan R tidak dapat ditentukan.")
+    centre, width = np.log10([scale, scale]), decades
+    for _ in range(rounds):
+        log_Q = np.linspace(centre[0] - width, centre[0] + width, points)
+        log_R = np.linspace(centre[1] - width, centre[1] + width, points)
+        L = log_likelihood(z, 10 ** log_Q[:, np.newaxis], 10 ** log_R[np.newaxis, :])
+        i, j = np.unravel_index(np.argmax(L), L.shape)
+        centre, width = (log_Q[i], log_R[j]), width / 8
+    return 10 ** centre[0], 10 ** centre[1]

@@ -1,0 +1,31 @@
+"""A model and a random generator give a made-up truth and its noisy measurements."""
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectory:
+    """T steps of a simulated (synthetic) system: x (T, n) true states, z (T, m) measurements, u (T, l) or None."""
+    x: np.ndarray
+    z: np.ndarray
+    u: np.ndarray | None = None
+
+
+def simulate(model, steps, rng, u=None, x0=None):
+    """Run the model for a number of steps with random noise.
+
+    model LinearModel or NonlinearModel; steps T; rng numpy Generator; u (T, l) inputs, row k drives the step to k;
+    x0 (n,) the true state before the first step (None: drawn from N(model.x0, model.P0)). Returns a Trajectory.
+    """
+    n = len(model.x0)
+    x = rng.multivariate_normal(model.x0, model.P0, method="eigh") if x0 is None else np.asarray(x0, dtype=float)
+    w = rng.multivariate_normal(np.zeros(n), model.Q, size=steps, method="eigh")
+    states, measurements = [], []
+    for k in range(steps):
+        R = model.R if model.R.ndim == 2 else model.R[k]
+        x = model.transition(x, None if u is None else u[k])[0] + w[k]
+        v = rng.multivariate_normal(np.zeros(len(R)), R, method="eigh")
+        states.append(x)
+        measurements.append(model.measure(x)[0] + v)
+    return Trajectory(np.array(states), np.array(measurements), u)

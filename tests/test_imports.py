@@ -1,0 +1,55 @@
+"""Who may import whom (the one rule of the house), and what importing the package must not load."""
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+LIBRARY = Path(__file__).resolve().parent.parent / "kalman_lib"
+NUMERICS = {"numpy"}
+ALLOWED = {     # file -> what of our own it may import, and which packages; the standard library is free
+    "models.py": (set(), NUMERICS),
+    "metrics.py": (set(), NUMERICS),
+    "simulate.py": ({"models"}, NUMERICS),
+    "filters.py": ({"models"}, NUMERICS),
+    "__init__.py": ({"models", "metrics", "simulate", "filters"}, set()),
+    "spreadsheet.py": (set(), NUMERICS | {"openpyxl"}),
+    "plots.py": ({"metrics", "models", "papers"}, NUMERICS | {"matplotlib"}),
+    "widgets.py": ({"models", "metrics", "simulate", "filters", "papers", "plots", "spreadsheet"},
+                   NUMERICS | {"ipywidgets", "IPython", "matplotlib"}),
+}
+PAPER = ({"models", "simulate", "papers"}, NUMERICS)        # "papers": only the package itself, see below
+
+
+def imports(path):
+    """(our own rooms, outside packages) that the file imports anywhere in it."""
+    own, outside = set(), set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            outside |= {name.name.split(".")[0] for name in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.level == 0:
+            outside.add(node.module.split(".")[0])
+        elif isinstance(node, ast.ImportFrom):
+            inside_papers = path.parent.name == "papers" and node.level == 1
+            if inside_papers and node.module:
+                own.add(f"papers.{node.module}")
+            elif inside_papers:
+                own.add("papers")
+            else:
+                own |= {node.module.split(".")[0]} if node.module else {name.name for name in node.names}
+    return own, outside - set(sys.stdlib_module_names)
+
+
+@pytest.mark.parametrize("path", sorted(LIBRARY.rglob("*.py")), ids=lambda path: str(path.relative_to(LIBRARY)))
+def test_import_rules(path):
+    own_allowed, outside_allowed = PAPER if path.parent.name == "papers" else ALLOWED[path.name]
+    own, outside = imports(path)
+    assert own <= own_allowed, f"{path.name} may not import {own - own_allowed}"
+    assert outside <= outside_allowed, f"{path.name} may not import {outside - outside_allowed}"
+
+
+def test_importing_the_package_loads_no_heavy_library():
+    code = "import sys, kalman_lib, kalman_lib.papers.theory, kalman_lib.papers.smoother; print(*sys.modules)"
+    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    assert not {"matplotlib", "ipywidgets", "scipy", "openpyxl", "IPython"} & set(loaded)
