@@ -1,0 +1,191 @@
+"""The figures of the book. The only room that imports matplotlib; it never runs a filter.
+
+Every function returns a Figure that shows itself as the last value of a cell. Figures carry symbols and units only,
+so one figure serves both languages; the words are in the caption. Colours and marks mean the same everywhere:
+
+truth          thin dark line          measurement    orange dots
+estimate       blue line               prediction     purple dashes
+band           light blue, +-2 sigma   rival          green dash-dots (moving average and the like)
+"""
+import io
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+from matplotlib import style
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure as MatplotlibFigure
+from matplotlib.patches import Ellipse
+
+STYLE = Path(__file__).with_name("kalman.mplstyle")
+TRUTH = dict(color="#222222", linewidth=1.0)
+MEASUREMENT = dict(color="#c8641b", marker="o", markersize=3.2, linestyle="none")
+ESTIMATE = dict(color="#1f6fb4", linewidth=1.8)
+PREDICTION = dict(color="#8a4fa3", linewidth=1.6, linestyle=(0, (4, 2)))
+RIVAL = dict(color="#3b7d3b", linewidth=1.6, linestyle=(0, (5, 1.5, 1, 1.5)))
+BAND = dict(color="#1f6fb4", alpha=0.16, linewidth=0)
+
+
+class Figure(MatplotlibFigure):
+    """A matplotlib figure that shows itself in a notebook without pyplot and its global state."""
+
+    def _repr_png_(self):
+        return self.png()
+
+    def png(self, dpi=200):
+        """The figure as the bytes of a PNG file."""
+        buffer = io.BytesIO()
+        with style.context(STYLE):
+            self.savefig(buffer, format="png", dpi=dpi)
+        return buffer.getvalue()
+
+
+@contextmanager
+def _figure(rows=1, height=3.0, columns=1, **options):
+    """A figure in the book's style and its axes; the style holds inside the with block only."""
+    with style.context(STYLE):
+        figure = Figure(figsize=(4.8, height))
+        FigureCanvasAgg(figure)
+        yield figure, figure.subplots(rows, columns, **options)
+
+
+def _legend(ax, **options):
+    """A legend above the axes, where it can cover no data."""
+    handles, labels = ax.get_legend_handles_labels()
+    if handles:
+        ax.legend(handles, labels, loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=min(len(labels), 4),
+                  borderaxespad=0.1, columnspacing=1.1, handletextpad=0.5, **options)
+
+
+def _series(ax, t, z=None, x=None, sigma=None, truth=None, rivals=None, names=None):
+    """Draw what is given of one quantity over time; a rival is another estimate with its own label."""
+    names = {"z": "$z$", "x": "$x$", "truth": r"$x_{\mathrm{true}}$", **(names or {})}
+    if sigma is not None:
+        ax.fill_between(t, x - 2 * sigma, x + 2 * sigma, label=r"$\pm 2\sigma$", **BAND)
+    if z is not None:
+        mark = MEASUREMENT if len(t) < 400 else {**MEASUREMENT, "markersize": 1.2}
+        ax.plot(t, z, label=names["z"], **mark)
+    if truth is not None:
+        ax.plot(t, truth, label=names["truth"], **TRUTH)
+    for (label, values), look in zip((rivals or {}).items(), (RIVAL, PREDICTION)):
+        ax.plot(t, values, label=label, **look)
+    if x is not None:
+        ax.plot(t, x, label=names["x"], **ESTIMATE)
+    _legend(ax)
+
+
+def series(t, z=None, x=None, sigma=None, truth=None, rivals=None, names=None, xlabel="$k$", ylabel="", height=3.0):
+    """One quantity over time: t (T,), measurements z, estimate x with its standard deviation sigma, truth; all (T,).
+
+    rivals is a dict label -> (T,) of at most two other estimates; names replaces the labels of z, x, truth.
+    """
+    with _figure(height=height) as (figure, ax):
+        _series(ax, t, z, x, sigma, truth, rivals, names)
+        ax.set(xlabel=xlabel, ylabel=ylabel)
+    return figure
+
+
+def panels(rows, xlabel="$k$", height=2.1, share=True):
+    """Several quantities below each other: rows is a list of dicts, each the arguments of `series`."""
+    with _figure(len(rows), height * len(rows), sharex=share) as (figure, axes):
+        for ax, row in zip(np.atleast_1d(axes), rows):
+            row = dict(row)
+            ax.set(ylabel=row.pop("ylabel", ""), xlabel=row.pop("xlabel", ""))
+            _series(ax, **row)
+        np.atleast_1d(axes)[-1].set_xlabel(xlabel)
+    return figure
+
+
+def gaussians(curves, xlabel="$x$", height=2.8):
+    """Bell curves on one axis: curves is a dict label -> (mean, variance, look), look one of the module's styles."""
+    with _figure(height=height) as (figure, ax):
+        means, sigmas = np.array([[m, np.sqrt(v)] for m, v, _ in curves.values()]).T
+        grid = np.linspace((means - 4 * sigmas).min(), (means + 4 * sigmas).max(), 600)
+        for label, (mean, variance, look) in curves.items():
+            density = np.exp(-(grid - mean) ** 2 / (2 * variance)) / np.sqrt(2 * np.pi * variance)
+            look = {"linewidth": 1.8, **{k: v for k, v in look.items() if k in ("color", "linewidth", "linestyle")}}
+            look["linestyle"] = "-" if look.get("linestyle") == "none" else look.get("linestyle", "-")
+            ax.plot(grid, density, label=label, **look)
+            ax.fill_between(grid, density, color=look["color"], alpha=0.10, linewidth=0)
+        ax.set(xlabel=xlabel, ylabel="$p$", ylim=(0, None))
+        _legend(ax)
+    return figure
+
+
+def curve(lines, xlabel, ylabel, log=False, points=None, height=2.8, ylim=None):
+    """Curves y over x: lines is a dict label -> (x, y); points a dict label -> (x, y) of single marks."""
+    with _figure(height=height) as (figure, ax):
+        for (label, (x, y)), look in zip(lines.items(), (ESTIMATE, RIVAL, PREDICTION, TRUTH)):
+            ax.plot(x, y, label=label, **look)
+        for (label, (x, y)), mark in zip((points or {}).items(), "osD^v"):
+            ax.plot(x, y, mark, color=MEASUREMENT["color"], markersize=6, markeredgecolor="#fdfcf9", label=label,
+                    zorder=5)
+        ax.set(xlabel=xlabel, ylabel=ylabel, xscale="log" if log else "linear")
+        if ylim:
+            ax.set_ylim(*ylim)
+        _legend(ax)
+    return figure
+
+
+def ellipses(states, z=None, R=None, xlabel="$p$ (m)", ylabel="$v$ (m/s)", height=3.4, limits=None):
+    """Covariance ellipses (2 sigma) in the plane of two states, with the measured position as a vertical stripe.
+
+    states is a dict label -> (x (2,), P (2, 2), look); z (number) and R (variance) the measurement of the first state.
+    """
+    with _figure(height=height) as (figure, ax):
+        if z is not None:
+            ax.axvspan(z - 2 * np.sqrt(R), z + 2 * np.sqrt(R), color=MEASUREMENT["color"], alpha=0.12, linewidth=0)
+            ax.axvline(z, color=MEASUREMENT["color"], linewidth=1.4, linestyle=(0, (1, 1.5)), label=r"$z \pm 2\sqrt{R}$")
+        for label, (x, P, look) in states.items():
+            ellipse = covariance_ellipse(x, P)
+            ellipse.set(edgecolor=look["color"], facecolor=(*_rgb(look["color"]), 0.10),
+                        linewidth=1.8, linestyle=look.get("linestyle", "-"))
+            ax.add_patch(ellipse)
+            ax.plot(*x, "o", color=look["color"], markersize=5, label=label)
+        if limits is None:
+            ax.autoscale_view()
+            ax.margins(0.08)
+        else:
+            ax.set(xlim=limits[0], ylim=limits[1])
+        ax.set(xlabel=xlabel, ylabel=ylabel)
+        _legend(ax)
+    return figure
+
+
+def covariance_ellipse(x, P, sigmas=2):
+    """The matplotlib Ellipse around x (2,) whose half-axes are `sigmas` standard deviations of P (2, 2)."""
+    variances, axes = np.linalg.eigh(P)
+    width, height = 2 * sigmas * np.sqrt(np.maximum(variances, 0))
+    return Ellipse(x, width, height, angle=np.degrees(np.arctan2(axes[1, 0], axes[0, 0])))
+
+
+def surface(x, y, values, xlabel, ylabel, best=None, drop=(0.5, 2, 5, 10, 20, 50), height=3.4):
+    """Contours of a log-likelihood, values (len(y), len(x)), as its loss against the best; the best pair as a mark."""
+    with _figure(height=height) as (figure, ax):
+        loss = np.max(values) - values
+        ax.contourf(x, y, np.minimum(loss, 2 * drop[-1]), levels=(0, *drop, 2 * drop[-1]), cmap="Blues_r")
+        lines = ax.contour(x, y, loss, levels=drop, colors="#3a4147", linewidths=0.6)
+        ax.clabel(lines, fmt="-%g", fontsize=8)
+        if best is not None:
+            ax.plot(*best, "o", color=MEASUREMENT["color"], markersize=7, markeredgecolor="#fdfcf9",
+                    label=r"$\max\ \ln L$")
+        ax.set(xlabel=xlabel, ylabel=ylabel)
+        ax.grid(False)
+        _legend(ax)
+    return figure
+
+
+def consistency(values, bounds, ylabel, xlabel="$k$", height=2.6):
+    """NEES or NIS over time, (T,), and the interval in which chi-square says that it should lie."""
+    with _figure(height=height) as (figure, ax):
+        ax.axhspan(*bounds, label="95 % $\\chi^2$", **BAND)
+        ax.plot(np.arange(1, len(values) + 1), values, color=ESTIMATE["color"], marker="o", markersize=2.6,
+                linewidth=0.8)
+        ax.set(xlabel=xlabel, ylabel=ylabel, ylim=(0, None))
+        _legend(ax)
+    return figure
+
+
+def _rgb(colour):
+    """#rrggbb -> three numbers from 0 to 1."""
+    return tuple(int(colour[i:i + 2], 16) / 255 for i in (1, 3, 5))
