@@ -85,6 +85,26 @@ def chi2_cdf(value, dof):
     return 1 - front * fraction
 
 
+def agreement(printed, ours):
+    """A table that holds a source's printed numbers beside ours: name, printed, ours, and whether they agree.
+
+    printed is a dict name -> numbers as printed, in one string ("0.88 1.22"); ours a dict name -> array with as many
+    entries, or an object with such attributes. They agree (yes) if ours lies within half of the last printed digit.
+    """
+    lines = []
+    for name, text in printed.items():
+        values = np.ravel(ours[name] if isinstance(ours, dict) else getattr(ours, name))
+        words = text.split()
+        if len(words) != len(values):
+            raise ValueError(f"{name}: {len(words)} numbers printed, {len(values)} ours. / "
+                             f"{name}: {len(words)} bilangan tercetak, {len(values)} milik kita.")
+        for i, (word, value) in enumerate(zip(words, values)):
+            half_a_digit = 0.5 * 10.0 ** -len(word.partition(".")[2])
+            agrees = abs(float(word) - value) <= half_a_digit * (1 + 1e-9)
+            lines.append(f"{f'{name}[{i}]':12}{word:>12}{value:14.6f}   {'✓' if agrees else '✗'}")
+    return "\n".join(lines)
+
+
 def _quadratic(e, P):
     """e' P^-1 e for every row: (T, n), (T, n, n) -> (T,)."""
     e = np.asarray(e, dtype=float)

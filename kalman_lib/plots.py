@@ -16,6 +16,7 @@ from matplotlib import style
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure as MatplotlibFigure
 from matplotlib.patches import Ellipse
+from PIL import Image
 
 STYLE = Path(__file__).with_name("kalman.mplstyle")
 TRUTH = dict(color="#222222", linewidth=1.0)
@@ -33,10 +34,13 @@ class Figure(MatplotlibFigure):
         return self.png()
 
     def png(self, dpi=200):
-        """The figure as the bytes of a PNG file."""
-        buffer = io.BytesIO()
+        """The figure as the bytes of a PNG file, with at most 96 colours: a third of the size, for slow connections."""
         with style.context(STYLE):
-            self.savefig(buffer, format="png", dpi=dpi)
+            self.set_dpi(dpi)
+            self.canvas.draw()
+        image = Image.fromarray(np.asarray(self.canvas.buffer_rgba())).convert("RGB")
+        buffer = io.BytesIO()
+        image.quantize(96, dither=Image.Dither.NONE).save(buffer, format="png", optimize=True)
         return buffer.getvalue()
 
 
@@ -163,7 +167,8 @@ def surface(x, y, values, xlabel, ylabel, best=None, drop=(0.5, 2, 5, 10, 20, 50
     """Contours of a log-likelihood, values (len(y), len(x)), as its loss against the best; the best pair as a mark."""
     with _figure(height=height) as (figure, ax):
         loss = np.max(values) - values
-        ax.contourf(x, y, np.minimum(loss, 2 * drop[-1]), levels=(0, *drop, 2 * drop[-1]), cmap="Blues_r")
+        ax.contourf(x, y, np.minimum(loss, 2 * drop[-1]), levels=(0, *drop, 2 * drop[-1]), cmap="Blues_r",
+                    alpha=0.45)
         lines = ax.contour(x, y, loss, levels=drop, colors="#3a4147", linewidths=0.6)
         ax.clabel(lines, fmt="-%g", fontsize=8)
         if best is not None:
@@ -175,13 +180,16 @@ def surface(x, y, values, xlabel, ylabel, best=None, drop=(0.5, 2, 5, 10, 20, 50
     return figure
 
 
-def consistency(values, bounds, ylabel, xlabel="$k$", height=2.6):
-    """NEES or NIS over time, (T,), and the interval in which chi-square says that it should lie."""
+def consistency(lines, bounds, ylabel, xlabel="$k$", height=2.6):
+    """NEES or NIS over time, lines a dict label -> (T,), and the interval in which chi-square says they should lie."""
     with _figure(height=height) as (figure, ax):
         ax.axhspan(*bounds, label="95 % $\\chi^2$", **BAND)
-        ax.plot(np.arange(1, len(values) + 1), values, color=ESTIMATE["color"], marker="o", markersize=2.6,
-                linewidth=0.8)
-        ax.set(xlabel=xlabel, ylabel=ylabel, ylim=(0, None))
+        for (label, values), look in zip(lines.items(), (ESTIMATE, RIVAL)):
+            ax.plot(np.arange(1, len(values) + 1), values, label=label, marker="o", markersize=3,
+                    **{**look, "linewidth": 1.0})
+        top = 1.15 * max(bounds[1], *(np.nanmax(values) for values in lines.values()))
+        ax.set(xlabel=xlabel, ylabel=ylabel, ylim=(0, top))
+        ax.xaxis.get_major_locator().set_params(integer=True)
         _legend(ax)
     return figure
 

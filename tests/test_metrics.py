@@ -4,7 +4,7 @@ import pytest
 from scipy.stats import chi2
 
 from kalman_lib import LinearModel, chi2_bounds, kalman_filter, nees, nis, rmse
-from kalman_lib.metrics import chi2_cdf, chi2_quantile
+from kalman_lib.metrics import agreement, chi2_cdf, chi2_quantile
 from kalman_lib.simulate import simulate
 
 
@@ -50,3 +50,11 @@ def test_a_true_model_is_consistent_and_a_wrong_one_is_not():
         assert low < value < high
     for dof, value in zip((2, 1), means["proud"]):
         assert value > chi2_bounds(dof, runs=100, probability=0.999)[1]
+
+
+def test_agreement_is_half_of_the_last_printed_digit():
+    lines = agreement({"K": "0.88 1.22"}, {"K": [[0.8849], [1.2251]]}).splitlines()
+    assert lines[0].split() == ["K[0]", "0.88", "0.884900", "✓"]
+    assert lines[1].split() == ["K[1]", "1.22", "1.225100", "✗"]
+    with pytest.raises(ValueError, match="K: 1 numbers printed, 2 ours"):
+        agreement({"K": "0.88"}, {"K": [1, 2]})
