@@ -65,10 +65,19 @@ def update(model, x_pred, P_pred, z, R=None):
     """Blend the prediction with the measurement z (m,) -> Update(x, P, y, S, K).
 
     R (m, m) replaces model.R where it changes in time. P is in Joseph's form, which stays a covariance
-    whatever the rounding.
+    whatever the rounding. A missing measurement has no update: keep the prediction.
+
+    ValueError: z is not (m,) or not finite; R is needed because the model's R changes in time.
     """
     z_pred, H = model.measure(x_pred)
     R = model.R if R is None else R
+    if np.shape(z) != z_pred.shape:
+        raise ValueError(_shape_message("z", np.shape(z), z_pred.shape))
+    if not np.isfinite(z).all():
+        raise ValueError(f"z is {z}; expected finite numbers (without a measurement keep the prediction). / "
+                         f"z berisi {z}; seharusnya bilangan berhingga (tanpa pengukuran, pakai prediksinya).")
+    if np.ndim(R) != 2:
+        raise ValueError("R changes in time: pass the R of this step. / R berubah menurut waktu: berikan R langkah ini.")
     y = model.residual(z, z_pred)
     S = H @ P_pred @ H.T + R
     K = np.linalg.solve(S, H @ P_pred).T            # K = P_pred H' S^-1

@@ -3,6 +3,7 @@
 Source of NEES and NIS: Bar-Shalom, Li and Kirubarajan, Estimation with Applications to Tracking and Navigation, 5.4.
 """
 import math
+import re
 
 import numpy as np
 
@@ -19,7 +20,7 @@ def rmse(x_true, x):
 def nees(x_true, x, P):
     """Normalised estimation error squared, (x_true - x)' P^-1 (x_true - x): (T, n), (T, n), (T, n, n) -> (T,).
 
-    If the filter's P is honest, its mean is n.
+    If the filter's P is honest, its mean is n. P must be invertible (no state known exactly).
     """
     return _quadratic(np.asarray(x_true, dtype=float) - x, P)
 
@@ -89,7 +90,8 @@ def agreement(printed, ours):
     """A table that holds a source's printed numbers beside ours: name, printed, ours, and whether they agree.
 
     printed is a dict name -> numbers as printed, in one string ("0.88 1.22"); ours a dict name -> array with as many
-    entries, or an object with such attributes. They agree (yes) if ours lies within half of the last printed digit.
+    entries, or an object with such attributes. They agree (✓) if ours lies within half of the last printed digit;
+    ValueError if a printed number is not plain decimal (0.88, -3) or the counts differ.
     """
     lines = []
     for name, text in printed.items():
@@ -99,6 +101,8 @@ def agreement(printed, ours):
             raise ValueError(f"{name}: {len(words)} numbers printed, {len(values)} ours. / "
                              f"{name}: {len(words)} bilangan tercetak, {len(values)} milik kita.")
         for i, (word, value) in enumerate(zip(words, values)):
+            if not re.fullmatch(r"-?\d+(\.\d+)?", word):
+                raise ValueError(f"{name}: {word!r} is no plain decimal number. / {name}: {word!r} bukan bilangan desimal.")
             half_a_digit = 0.5 * 10.0 ** -len(word.partition(".")[2])
             agrees = abs(float(word) - value) <= half_a_digit * (1 + 1e-9)
             lines.append(f"{f'{name}[{i}]':12}{word:>12}{value:14.6f}   {'✓' if agrees else '✗'}")

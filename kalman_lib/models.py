@@ -43,10 +43,11 @@ class LinearModel:
         n, m = len(x0), H.shape[0]
         B = None if self.B is None else _numbers("B", self.B, 2)
         _check_shape("F", F, (n, n))
-        _check_shape("H", H, (m, n))
-        if B is not None:
-            _check_shape("B", B, (n, B.shape[1]))
-        _check_noise(Q, R, P0, n, m)
+        if H.ndim != 2 or H.shape[1] != n:
+            raise ValueError(_shape_message("H", H.shape, f"(m, {n})"))
+        if B is not None and (B.ndim != 2 or len(B) != n):
+            raise ValueError(_shape_message("B", B.shape, f"({n}, l)"))
+        _check_noise(Q, R, x0, P0, n, m)
         _freeze(self, F=F, H=H, Q=Q, R=R, x0=x0, P0=P0, B=B)
 
     def transition(self, x, u=None):
@@ -71,7 +72,7 @@ class NonlinearModel:
     f(x, u) -> (n,), F(x, u) -> (n, n) its matrix of partial derivatives (Jacobian) by x, h(x) -> (m,),
     H(x) -> (m, n) its Jacobian; Q, R, x0, P0 and residual as in LinearModel. u is None where there is no input.
 
-    ValueError: as LinearModel; f, F, h and H are checked whenever they are called.
+    ValueError: as LinearModel; the shapes that f, F, h and H return are checked whenever they are called.
     """
     f: Callable
     F: Callable
@@ -86,7 +87,7 @@ class NonlinearModel:
     def __post_init__(self):
         x0 = _numbers("x0", self.x0, 1)
         Q, R, P0 = (_numbers(name, getattr(self, name), 2) for name in ("Q", "R", "P0"))
-        _check_noise(Q, R, P0, len(x0), R.shape[-1])
+        _check_noise(Q, R, x0, P0, len(x0), R.shape[-1])
         _freeze(self, Q=Q, R=R, x0=x0, P0=P0)
         self.measure(x0)
 
@@ -133,8 +134,9 @@ def _check_shape(name, array, expected):
         raise ValueError(_shape_message(name, array.shape, expected))
 
 
-def _check_noise(Q, R, P0, n, m):
-    """Q and P0 (n, n) must be covariances; R (m, m) or (T, m, m) must also be invertible."""
+def _check_noise(Q, R, x0, P0, n, m):
+    """x0 must be (n,); Q and P0 (n, n) must be covariances; R (m, m) or (T, m, m) must also be invertible."""
+    _check_shape("x0", x0, (n,))
     _check_shape("Q", Q, (n, n))
     _check_shape("P0", P0, (n, n))
     _check_shape("R", R, (m, m) if R.ndim < 3 else (len(R), m, m))

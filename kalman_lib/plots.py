@@ -100,6 +100,37 @@ def panels(rows, xlabel="$k$", height=2.1, share=True):
     return figure
 
 
+def cover(t, z, x, sigma, truth, moments, height=4.2):
+    """The picture of the cover: a whole run above, and below it the bell curves of three moments of that run.
+
+    t, z, x, sigma, truth (T,) as in `series`; moments a list of (k, prediction, measurement, estimate), each of the
+    three a (mean, variance).
+    """
+    with style.context(STYLE):
+        figure = Figure(figsize=(4.8, height))
+        FigureCanvasAgg(figure)
+        axes = figure.subplot_mosaic([["run"] * 3, ["a", "b", "c"]], height_ratios=(2.2, 1))
+        ax = axes["run"]
+        _series(ax, t, z, x, sigma, truth)
+        ax.set(xticks=[], yticks=[])
+        ax.grid(False)
+        for name, (k, prediction, measurement, estimate) in zip("abc", moments):
+            ax.axvline(t[k], color="#6b7278", linewidth=0.7, linestyle=(0, (1, 2)), zorder=0)
+            ax.text(t[k], ax.get_ylim()[0], name, ha="center", va="bottom", color="#3a4147", fontweight="bold",
+                    backgroundcolor="#fdfcf9")
+            means, sigmas = np.array([[m, v ** 0.5] for m, v in (prediction, measurement)]).T
+            grid = np.linspace((means - 2.6 * sigmas).min(), (means + 2.6 * sigmas).max(), 300)
+            for (mean, variance), look in ((prediction, PREDICTION), (measurement, MEASUREMENT), (estimate, ESTIMATE)):
+                density = np.exp(-(grid - mean) ** 2 / (2 * variance)) / variance ** 0.5
+                axes[name].plot(grid, density, color=look["color"], linewidth=1.6,
+                                linestyle=look["linestyle"] if look is PREDICTION else "-")
+                axes[name].fill_between(grid, density, color=look["color"], alpha=0.10, linewidth=0)
+            axes[name].set(xticks=[], yticks=[], ylim=(0, None))
+            axes[name].set_title(name, fontweight="bold", color="#3a4147")
+            axes[name].spines["left"].set_visible(False)
+    return figure
+
+
 def gaussians(curves, xlabel="$x$", height=2.8):
     """Bell curves on one axis: curves is a dict label -> (mean, variance, look), look one of the module's styles."""
     with _figure(height=height) as (figure, ax):

@@ -3,6 +3,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .models import _shape_message
+
 
 @dataclass(frozen=True, eq=False)
 class Trajectory:
@@ -15,10 +17,15 @@ class Trajectory:
 def simulate(model, steps, rng, u=None, x0=None):
     """Run the model for a number of steps with random noise.
 
-    model LinearModel or NonlinearModel; steps T; rng numpy Generator; u (T, l) inputs, row k drives the step to k;
+    model LinearModel or NonlinearModel; steps T; rng numpy Generator; u (T, l) inputs, or (T,) if l = 1, row k drives the step to k;
     x0 (n,) the true state before the first step (None: drawn from N(model.x0, model.P0)). Returns a Trajectory.
     """
     n = len(model.x0)
+    u = None if u is None else np.asarray(u, dtype=float).reshape(len(u), -1)
+    if u is not None and len(u) != steps:
+        raise ValueError(_shape_message("u", u.shape, f"({steps}, l)"))
+    if model.R.ndim == 3 and len(model.R) != steps:
+        raise ValueError(_shape_message("R", model.R.shape, (steps, *model.R.shape[1:])))
     x = rng.multivariate_normal(model.x0, model.P0, method="eigh") if x0 is None else np.asarray(x0, dtype=float)
     w = rng.multivariate_normal(np.zeros(n), model.Q, size=steps, method="eigh")
     states, measurements = [], []

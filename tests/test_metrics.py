@@ -56,5 +56,7 @@ def test_agreement_is_half_of_the_last_printed_digit():
     lines = agreement({"K": "0.88 1.22"}, {"K": [[0.8849], [1.2251]]}).splitlines()
     assert lines[0].split() == ["K[0]", "0.88", "0.884900", "✓"]
     assert lines[1].split() == ["K[1]", "1.22", "1.225100", "✗"]
+    with pytest.raises(ValueError, match="'1e-5' is no plain decimal number"):
+        agreement({"K": "1e-5"}, {"K": [0.4]})
     with pytest.raises(ValueError, match="K: 1 numbers printed, 2 ours"):
         agreement({"K": "0.88"}, {"K": [1, 2]})

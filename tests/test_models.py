@@ -2,7 +2,8 @@
 import numpy as np
 import pytest
 
-from kalman_lib import LinearModel, NonlinearModel, kalman_filter
+from kalman_lib import LinearModel, NonlinearModel, kalman_filter, update
+from kalman_lib.simulate import simulate
 
 GOOD = dict(F=[[1, 1], [0, 1]], H=[[1, 0]], Q=np.eye(2), R=[[1]], x0=[0, 0], P0=np.eye(2))
 
@@ -10,12 +11,13 @@ GOOD = dict(F=[[1, 1], [0, 1]], H=[[1, 0]], Q=np.eye(2), R=[[1]], x0=[0, 0], P0=
 @pytest.mark.parametrize("change, words", [
     (dict(F=np.eye(3)), ["F", "(3, 3)", "(2, 2)"]),
     (dict(F=[[1, 1, 1], [0, 1, 1]]), ["F", "(2, 3)", "(2, 2)"]),
-    (dict(H=[[1, 0, 0]]), ["H", "(1, 3)", "(1, 2)"]),
-    (dict(H=[[1], [0]]), ["H", "(2, 1)", "(2, 2)"]),
+    (dict(H=[[1, 0, 0]]), ["H", "(1, 3)", "(m, 2)"]),
+    (dict(H=[[1], [0]]), ["H", "(2, 1)", "(m, 2)"]),
+    (dict(x0=[[0], [0]]), ["x0", "(2, 1)", "(2,)"]),
     (dict(Q=[[1]]), ["Q", "(1, 1)", "(2, 2)"]),
     (dict(R=np.eye(2)), ["R", "(2, 2)", "(1, 1)"]),
     (dict(P0=np.eye(3)), ["P0", "(3, 3)", "(2, 2)"]),
-    (dict(B=[[0, 1]]), ["B", "(1, 2)", "(2, 2)"]),
+    (dict(B=[0, 1]), ["B", "(1, 2)", "(2, l)"]),
     (dict(Q=[[1, 0.5], [0, 1]]), ["Q", "(2, 2)", "symmetric", "simetris"]),
     (dict(P0=[[1, 0.5], [0, 1]]), ["P0", "(2, 2)", "symmetric"]),
     (dict(Q=[[1, 2], [2, 1]]), ["Q", "(2, 2)", "positive semi-definite", "semidefinit positif"]),
@@ -65,6 +67,23 @@ def test_bad_inputs(u, words):
         kalman_filter(LinearModel(**GOOD, B=[[0], [1]]), [1, 2], u)
     for word in words:
         assert word in str(error.value)
+
+
+def test_update_by_hand_refuses_what_it_cannot_use():
+    model = LinearModel(**GOOD)
+    with pytest.raises(ValueError, match=r"z has shape \(2,\), expected \(1,\)"):
+        update(model, model.x0, model.P0, np.zeros(2))
+    with pytest.raises(ValueError, match="z is .*nan.* finite"):
+        update(model, model.x0, model.P0, np.array([np.nan]))
+    with pytest.raises(ValueError, match="R changes in time"):
+        update(LinearModel(**{**GOOD, "R": np.ones((3, 1, 1))}), model.x0, model.P0, np.zeros(1))
+
+
+def test_simulation_refuses_inputs_and_noise_of_another_length():
+    with pytest.raises(ValueError, match=r"u has shape \(3, 1\), expected \(2, l\)"):
+        simulate(LinearModel(**GOOD, B=[[0], [1]]), 2, np.random.default_rng(0), u=[1, 2, 3])
+    with pytest.raises(ValueError, match=r"R has shape \(3, 1, 1\), expected \(2, 1, 1\)"):
+        simulate(LinearModel(**{**GOOD, "R": np.ones((3, 1, 1))}), 2, np.random.default_rng(0))
 
 
 def test_input_without_B():

@@ -47,6 +47,11 @@ def test_fusing_two_rulers_is_the_product_of_two_gaussians():
     assert K == pytest.approx(0.8)
 
 
+def test_fusing_needs_positive_variances():
+    with pytest.raises(ValueError, match="variances 0 and 0: expected positive"):
+        theory.fuse(1, 0, 2, 0)
+
+
 def test_parameters_out_of_range_are_named():
     with pytest.raises(ValueError, match="R = 0.*0.0001 to 10 m²"):
         theory.model(theory.Params(R=0))

@@ -8,10 +8,11 @@ from ..simulate import Trajectory
 from ..simulate import simulate as simulate_model
 from . import check, param
 
-# The form of the paper's Figure 3, as printed: 16 measurements and the 16 filtered values beside them
+# The form of the paper's Figure 3: 16 measurements and the 16 filtered values beside them (the form drops trailing
+# zeros: it shows -0.294)
 MEASURED = np.array([-0.39, -0.49, -0.48, -0.3, -0.25, -0.31, -0.33, -0.48,
                      -0.41, -0.44, -0.38, -0.36, -0.42, -0.44, -0.51, -0.28])
-PRINTED = ("-0.389996 -0.456665 -0.471249 -0.365238 -0.294 -0.303889 -0.320027 -0.418896 "
+PRINTED = ("-0.389996 -0.456665 -0.471249 -0.365238 -0.294000 -0.303889 -0.320027 -0.418896 "
            "-0.413398 -0.429839 -0.399037 -0.374911 -0.402777 -0.425782 -0.477832 -0.355565")
 FILTERED = np.array(PRINTED.split(), dtype=float)
 
@@ -25,7 +26,7 @@ class Params:
     x0: float = param(0, min=-1e9, max=1e9, step=0.01, unit="unit", id="tebakan awal", en="initial guess")
     P0: float = param(1, min=0, max=1e9, step=0.1, unit="unit²", log=True,
                       id="varians tebakan awal", en="variance of the initial guess")
-    window: int = param(3, min=1, max=500, step=1, unit="sampel", id="jendela rataan bergerak",
+    window: int = param(3, min=1, max=500, step=1, unit="", id="jendela rataan bergerak",
                         en="window of the moving average")
 
 
@@ -73,7 +74,8 @@ def _look_alike(x, sigma, rng):
 def steady_gain(q):
     """The gain K that the filter settles at, for q = Q / R: the positive root of K^2 + q K - q = 0."""
     q = np.asarray(q, dtype=float)
-    return 2 * q / (q + np.sqrt(q * q + 4 * q))     # = (-q + sqrt(q^2 + 4 q)) / 2 without its cancellation
+    root = np.sqrt(q)
+    return 2 * root / (root + np.sqrt(q + 4))       # = (-q + sqrt(q^2 + 4 q)) / 2 without its cancellation
 
 
 def equal_window(K):
@@ -86,17 +88,17 @@ def equal_window(K):
 def moving_average(z, window):
     """Mean of the last `window` values of z (T,), as a spreadsheet does it; fewer at the start; gaps left out."""
     known = np.isfinite(z)
-    total, count = np.cumsum(np.where(known, z, 0.0)), np.cumsum(known)
-    total[window:], count[window:] = total[window:] - total[:-window], count[window:] - count[:-window]
-    return np.where(count > 0, total / np.maximum(count, 1), np.nan)
+    total = np.convolve(np.where(known, z, 0.0), np.ones(window))[:len(z)]
+    count = np.convolve(known, np.ones(window))[:len(z)]
+    return np.where(count > 0.5, total / np.maximum(count, 1), np.nan)
 
 
 def exponential(z, K):
-    """Exponential smoothing x = x + K (z - x), starting at the first value of z (T,); a gap keeps x."""
-    x = np.empty(len(z))
-    x[0] = z[0]
-    for k in range(1, len(z)):
-        x[k] = x[k - 1] if np.isnan(z[k]) else x[k - 1] + K * (z[k] - x[k - 1])
+    """Exponential smoothing x = x + K (z - x), starting at the first known value of z (T,); a gap keeps x."""
+    x = np.array(z, dtype=float)
+    for k in range(1, len(x)):
+        if not np.isnan(x[k - 1]):
+            x[k] = x[k - 1] if np.isnan(z[k]) else x[k - 1] + K * (z[k] - x[k - 1])
     return x
 
 
@@ -110,8 +112,11 @@ def roughness(x):
 def lag(x, reference, longest=50):
     """How many samples x (T,) runs behind the reference (T,): the shift that leaves the smallest squared difference.
 
-    A parabola through the best whole shift and its neighbours gives the fraction.
+    A parabola through the best whole shift and its neighbours gives the fraction. NaN for fewer than 8 samples or a
+    reference that never changes: then no shift is better than another.
     """
+    if len(x) < 8 or not np.nanstd(reference) > 0:
+        return float("nan")
     longest = min(longest, len(x) // 2)
     shifts = np.arange(-1, longest + 1)
     cost = [np.nanmean((x[longest:-1] - reference[longest - d:len(x) - 1 - d]) ** 2) for d in shifts]
@@ -137,7 +142,9 @@ def scores(estimates, truth):
 # --- where Q and R come from ----------------------------------------------------------------------------------------
 
 def recover(z, x, x0=0):
-    """The gains K and the ratios r = P / R that must have turned z (T,) into the filtered x (T,), started at x0.
+    """The gains K and the ratios P_pred / R that must have turned z (T,) into the filtered x (T,), started at x0.
+
+    The start is an assumption: the first gain, and only it, depends on x0.
 
     K_k = (x_k - x_{k-1}) / (z_k - x_{k-1}); since P_k = K_k R, the prediction gives
     K / (1 - K) = P_pred / R = K_previous + Q / R. Returns K (T,), P_pred / R (T,) and Q / R (T - 1,).
@@ -160,6 +167,7 @@ def log_likelihood(z, Q, R):
     starts the filter (x = z, P = R), as if nothing had been known before. Gaps are steps without a measurement.
     """
     Q, R = np.broadcast_arrays(np.asarray(Q, dtype=float), np.asarray(R, dtype=float))
+    z = np.asarray(z, dtype=float)
     z = z[np.argmax(np.isfinite(z)):]
     x, P, total = np.full(Q.shape, z[0]), R.copy(), np.zeros(Q.shape)
     for z_k in z[1:]:
@@ -175,10 +183,12 @@ def log_likelihood(z, Q, R):
 
 def maximum_likelihood(z, decades=8, points=41, rounds=8):
     """The pair (Q, R) that makes the measurements z (T,) most likely: a search on a log grid that closes in."""
-    scale = np.nanvar(np.diff(z[np.isfinite(z)]))
-    if not scale > 0:
-        raise ValueError("the values never change, so Q and R cannot be found. / "
-                         "nilainya tidak pernah berubah, sehingga Q dan R tidak dapat ditentukan.")
+    z = np.asarray(z, dtype=float)
+    steps = np.diff(z[np.isfinite(z)])
+    scale = np.var(steps) if len(steps) > 1 else 0
+    if not scale > 1e-24 * np.max(np.abs(steps), initial=0) ** 2 or scale == 0:
+        raise ValueError("Q and R need at least three values that do not all change by the same amount. / "
+                         "Q dan R memerlukan sedikitnya tiga nilai yang perubahannya tidak selalu sama.")
     centre, width = np.log10([scale, scale]), decades
     for _ in range(rounds):
         log_Q = np.linspace(centre[0] - width, centre[0] + width, points)

@@ -45,6 +45,10 @@ def fuse(a, var_a, b, var_b):
     """Two measurements of one length and their variances -> (estimate, variance, gain): the scalar update.
 
     estimate = a + K (b - a), K = var_a / (var_a + var_b), which weights each measurement by 1 / variance.
+    ValueError: a variance is not positive.
     """
+    if not (var_a > 0 and var_b > 0):
+        raise ValueError(f"variances {var_a} and {var_b}: expected positive numbers. / "
+                         f"varians {var_a} dan {var_b}: seharusnya bilangan positif.")
     K = var_a / (var_a + var_b)
     return a + K * (b - a), K * var_b, K
