@@ -1,0 +1,780 @@
+"""The live parts of the notebooks: sliders, buttons and tables that answer at once. Alone imports ipywidgets.
+
+`theory_steps()`, `smoother_form()` and `smoother_online()` each show one widget. Every widget is a Board: it speaks
+both languages, and an error inside it becomes a sentence on its message line instead of vanishing.
+"""
+import base64
+import io
+import math
+import warnings
+from dataclasses import replace
+from html import escape
+
+import ipywidgets as widgets
+import numpy as np
+from IPython.display import display
+from matplotlib.image import imsave
+
+from . import plots
+from .filters import predict, update
+from .metrics import rmse
+from .papers import describe, smoother, theory
+from .spreadsheet import InputError, read_file, read_text, write_workbook
+
+SEED = 2                    # of every synthetic measurement in this room
+TABLE_ROWS = 1000           # a longer table shows its beginning and its end
+PLOT_POINTS = 3000          # a longer series is drawn with every second, third, ... value
+LIKELIHOOD_POINTS = 5000    # maximum likelihood looks at no more values than this
+
+
+def theory_steps(p=None):
+    """Chapter 1: walk through prediction and update one by one. p is a theory.Params or None."""
+    board = TheorySteps(p)
+    board.moment.value = 2
+    show(board.view, "theory", board.ellipses())
+    board.moment.value = 0
+
+
+def smoother_form(z=None, p=None):
+    """Chapter 2: the paper's Excel form. z (T,) is offered as data beside the built-in ones; p a smoother.Params."""
+    board = SmootherForm(z, p)
+    show(board.view, "smoother", board.figure)
+
+
+def smoother_online(p=None):
+    """Chapter 2: one measurement at a time. p is a smoother.Params or None."""
+    board = SmootherOnline(p)
+    board.add(*board.stream[:60])
+    show(board.view, "smoother", board.figure)
+    board.reset()
+
+
+def show(widget, paper, figure):
+    """Display one output that is live in Jupyter and, in the built book, the figure inside <kalman-explorer>."""
+    data = widget._repr_mimebundle_()
+    png = base64.b64encode(figure.png(dpi=150)).decode()
+    data["text/plain"] = f"[{paper}]"
+    data["text/html"] = (f'<kalman-explorer paper="{paper}"><img alt="" src="data:image/png;base64,{png}">'
+                         "</kalman-explorer>")
+    display(data, raw=True)
+
+
+# --- what all widgets share ------------------------------------------------------------------------------------------
+
+def number(text):
+    """What was typed, with decimal comma or point, as a finite number; InputError if it is none."""
+    try:
+        value = float(text.strip().replace(",", "."))
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise InputError(f"{text[:40]!r} is not a number.", f"{text[:40]!r} bukan bilangan.")
+    return value
+
+
+class Board:
+    """The base of every widget: its words in two languages, a message line, callbacks that cannot fail silently.
+
+    A subclass lists its words, key -> {"id", "en"}, puts them on its parts with `label` and `choices`, and writes
+    every text that depends on numbers in `redraw`, which also runs when the language changes.
+    """
+    words = {}
+
+    def __init__(self):
+        self.language = widgets.ToggleButtons(options=[("Bahasa Indonesia", "id"), ("English", "en")],
+                                              style={"button_width": "auto"})
+        self.message = widgets.HTML()
+        self.said = None                # what the message line says, {"id", "en"} or None
+        self.quiet = False              # while True, no callback runs
+        self.places = []                # functions that write a word where it belongs
+        self.on(self.language, self.translate)
+
+    def say(self, key, **values):
+        """The word or sentence `key` in the current language, with the values filled in."""
+        return self.words[key][self.language.value].format(**values)
+
+    def decimal(self, value, digits=4):
+        """A number for a sentence: with decimal comma in Indonesian."""
+        text = f"{value:.{digits}g}".replace("-", "\u2212")
+        return text.replace(".", ",") if self.language.value == "id" else text
+
+    def label(self, part, key, trait="description"):
+        """Write the word `key` on a part, now and whenever the language changes. Returns the part."""
+        def write():
+            setattr(part, trait, self.say(key))
+        self.places.append(write)
+        write()
+        return part
+
+    def choices(self, part, keys):
+        """Offer the words `keys` as the options of a dropdown, each standing for its own key. Returns the part."""
+        def write():
+            value = part.value
+            part.options = [(self.say(key), key) for key in keys]
+            part.value = value or keys[0]
+        self.places.append(write)
+        write()
+        return part
+
+    def on(self, part, react, trait="value"):
+        """Run react() when a button is clicked or a value changes; an error becomes the message."""
+        def safely(_):
+            if self.quiet:
+                return
+            try:
+                if part is not self.language:
+                    self.tell(None)
+                react()
+            except Exception as error:          # whatever it is, the reader must see it
+                self.tell(error)
+        if isinstance(part, widgets.Button):
+            part.on_click(safely)
+        else:
+            part.observe(safely, trait)
+
+    def tell(self, message):
+        """Put a message on its line: {"id", "en"}, an exception, or None for none."""
+        if isinstance(message, InputError):
+            message = {"id": message.id, "en": message.en}
+        elif isinstance(message, Exception):    # our own ones say "English. / Indonesian."
+            en, _, id = (str(message) or repr(message)).partition(" / ")
+            message = {"id": id or en, "en": en}
+        self.said = message
+        self.message.value = "" if message is None else (
+            f'<p role="status" style="margin:0;color:#b3261e;line-height:1.4">{escape(message[self.language.value])}</p>')
+
+    def translate(self):
+        self.quiet = True
+        for write in self.places:
+            write()
+        self.quiet = False
+        self.tell(self.said)
+        self.redraw()
+
+    def log_field(self, name, meta, value):
+        """A log slider and a text field for one number -> (text, row); the text counts, the slider follows it."""
+        self.words = {**self.words, name: {"id": f"{name}, {meta['id']}", "en": f"{name}, {meta['en']}"}}
+        low, high = math.log10(meta["min"]), math.log10(meta["max"])
+        text = widgets.Text(f"{value:.12g}", continuous_update=False, layout=widgets.Layout(width="7.5em"))
+        slider = widgets.FloatLogSlider(value, min=low, max=high, step=0.05, readout=False,
+                                        layout=widgets.Layout(width="10em"))
+
+        def typed():                    # what the slider should show; None where the text is no number
+            try:
+                return min(max(number(text.value), meta["min"]), meta["max"])
+            except InputError:
+                return None
+
+        def far():                      # by more than half a step, to which the browser rounds the slider
+            return typed() is None or abs(math.log10(typed() / slider.value)) > 0.0251
+
+        def follow(_):
+            if typed() is not None and far():
+                slider.value = typed()
+
+        def lead():
+            if far():
+                text.value = f"{slider.value:.3g}"
+
+        text.observe(follow, "value")
+        self.on(slider, lead)
+        return text, widgets.VBox([self.label(widgets.Label(), name, "value"), widgets.HBox([slider, text])])
+
+
+class Screen(widgets.Image):
+    """A picture that is quick to renew: while the axes keep their limits, only what lies inside them is drawn anew."""
+
+    def __init__(self, **options):
+        super().__init__(layout=widgets.Layout(width="100%", max_width="560px"), **options)
+        self._renderer = self._axes = self._background = None
+
+    def draw(self, figure):
+        """Show a Figure with one pair of axes; every figure on one Screen has the same size."""
+        ax, height = figure.axes[0], figure.get_figheight()
+        figure.set_layout_engine("none")
+        figure.set_dpi(130)
+        ax.set_position((0.14, 0.48 / height, 0.84, 1 - 0.80 / height))
+        contents = sorted([*ax.collections, *ax.patches, *ax.lines], key=lambda part: part.get_zorder())
+        contents += [ax.get_legend()] if ax.get_legend() else []
+        axes = ax.get_xlim(), ax.get_ylim(), ax.get_xlabel(), ax.get_ylabel()
+        renderer = self._renderer = self._renderer or figure.canvas.get_renderer()     # it remembers how text looks
+        if axes != self._axes:
+            for part in contents:
+                part.set_visible(False)
+            renderer.clear()
+            figure.draw(renderer)
+            self._axes, self._background = axes, np.array(renderer.buffer_rgba())
+            for part in contents:
+                part.set_visible(True)
+        pixels = np.asarray(renderer.buffer_rgba())
+        pixels[:] = self._background
+        for part in contents:
+            part.draw(renderer)
+        png = io.BytesIO()
+        imsave(png, pixels, format="png", pil_kwargs={"compress_level": 1})
+        self.value = png.getvalue()
+
+
+def _row(*parts):
+    """Parts beside each other, which wrap where the page is narrow."""
+    return widgets.HBox(parts, layout=widgets.Layout(flex_flow="row wrap", align_items="flex-end", grid_gap="4px 12px"))
+
+
+def _wide(part):
+    """Give a part the width of its words."""
+    part.layout.width = "auto"
+    if hasattr(part.style, "description_width"):
+        part.style.description_width = "initial"
+    return part
+
+
+# --- chapter 1 -------------------------------------------------------------------------------------------------------
+
+class TheorySteps(Board):
+    """Moments 0 (start), 1 (prediction of step 1), 2 (update of step 1), 3, 4 ... of the worked example."""
+    STEPS = 5                       # then the car, which brakes with 2 m/s2 from 5 m/s, stands still
+    words = {
+        "back": {"id": "Sebelumnya", "en": "Previous"},
+        "next": {"id": "Berikutnya", "en": "Next"},
+        "reset": {"id": "Ulang dari awal", "en": "Start again"},
+        "z": {"id": "z, posisi terukur pada langkah ini (m)", "en": "z, measured position at this step (m)"},
+        "title 0": {"id": "Awal", "en": "Start"},
+        "title 1": {"id": "Langkah {k} dari {of}: prediksi", "en": "Step {k} of {of}: prediction"},
+        "title 2": {"id": "Langkah {k} dari {of}: pembaruan", "en": "Step {k} of {of}: update"},
+        "text 0": {"id": "Sebelum pengukuran pertama, mobil diperkirakan berada di {x} m dengan kecepatan {v} m/s; "
+                         "simpangan bakunya {sx} m dan {sv} m/s.",
+                   "en": "Before the first measurement the car is believed to be at {x} m with a velocity of {v} m/s; "
+                         "the standard deviations are {sx} m and {sv} m/s."},
+        "text 1": {"id": "Prediksi: {dt} s kemudian mobil diperkirakan berada di {x} m dengan kecepatan {v} m/s. "
+                         "Simpangan baku posisi berubah dari {before} m menjadi {sx} m.",
+                   "en": "Prediction: {dt} s later the car is expected at {x} m with a velocity of {v} m/s. "
+                         "The standard deviation of the position goes from {before} m to {sx} m."},
+        "text 2": {"id": "Pembaruan: K = {K}: {percent} % dari selisih {y} m antara pengukuran dan prediksi diterima. "
+                         "Simpangan baku posisi berubah dari {before} m menjadi {sx} m. {origin}",
+                   "en": "Update: K = {K}: {percent} % of the difference of {y} m between measurement and prediction is "
+                         "accepted. The standard deviation of the position goes from {before} m to {sx} m. {origin}"},
+        "source": {"id": "Pengukuran ini dari contoh pada sumber.", "en": "This measurement comes from the source."},
+        "synthetic": {"id": "Pengukuran ini sintetis (benih acak {seed}).",
+                      "en": "This measurement is synthetic (random seed {seed})."},
+        "yours": {"id": "Pengukuran ini pilihan Anda.", "en": "This measurement is your choice."},
+    }
+
+    def __init__(self, p=None):
+        super().__init__()
+        self.p = p or theory.Params()
+        drive = theory.simulate(self.p, np.random.default_rng(SEED), self.STEPS)
+        self.given = np.concatenate(([self.p.z], drive.z[1:, 0].round(1)))
+        self.z = self.given.copy()
+        meta = describe(theory.Params)
+        self.Q, row_Q = self.log_field("Q", meta["Q"], self.p.Q)
+        self.R, row_R = self.log_field("R", meta["R"], self.p.R)
+        self.moment = widgets.IntSlider(0, 0, 2 * self.STEPS, readout=False, layout=widgets.Layout(width="12em"))
+        self.back, self.next, self.restart = (_wide(self.label(widgets.Button(), key)) for key in ("back", "next", "reset"))
+        self.measured = widgets.FloatSlider(
+            self.z[0], min=min(meta["z"]["min"], self.z.min() - 3), max=max(meta["z"]["max"], self.z.max() + 3),
+            step=meta["z"]["step"], readout_format=".1f", layout=widgets.Layout(width="24em"))
+        self.equations = widgets.HTMLMath(layout=widgets.Layout(width="100%", overflow="auto", min_height="15em"))
+        self.sentence = widgets.HTML(layout=widgets.Layout(width="98%", min_height="4.5em"))
+        self.plane, self.bells = Screen(), Screen()
+        self.steps = self.walk()
+        self.usual = self.boxes(self.steps)
+        self.view = widgets.VBox([
+            self.language,
+            _row(self.back, self.next, self.restart, self.moment),
+            _row(row_Q, row_R, widgets.VBox([self.label(widgets.Label(), "z", "value"), self.measured])),
+            self.message, self.sentence,
+            widgets.HBox([widgets.VBox([self.plane, self.bells], layout=widgets.Layout(flex="1 1 320px")),
+                          widgets.VBox([self.equations], layout=widgets.Layout(flex="1 1 400px", min_width="0"))],
+                         layout=widgets.Layout(flex_flow="row wrap", align_items="flex-start")),
+        ], layout=widgets.Layout(width="98%"))
+        self.on(self.back, lambda: self.go(self.moment.value - 1))
+        self.on(self.next, lambda: self.go(self.moment.value + 1))
+        self.on(self.restart, self.reset)
+        self.on(self.measured, self.measure)
+        self.on(self.moment, self.redraw)
+        for part in (self.Q, self.R):
+            self.on(part, self.calculate)
+        self.redraw()
+
+    def go(self, moment):
+        self.moment.value = min(max(moment, 0), self.moment.max)
+
+    def reset(self):
+        self.quiet = True
+        self.z, self.moment.value = self.given.copy(), 0
+        self.Q.value, self.R.value = f"{self.p.Q:.12g}", f"{self.p.R:.12g}"
+        self.quiet = False
+        self.calculate()
+
+    def calculate(self):
+        """Run the filter again, then show the current moment."""
+        self.steps = self.walk()
+        self.redraw()
+
+    def measure(self):
+        """The slider of the measurement was moved."""
+        k = (self.moment.value + 1) // 2
+        if k and self.z[k - 1] != self.measured.value:
+            self.z[k - 1] = self.measured.value
+            self.calculate()
+
+    def walk(self):
+        """The whole filter run with the current settings: for every step (x, P) before it, Prediction, Update."""
+        self.model = theory.model(replace(self.p, Q=number(self.Q.value), R=number(self.R.value)))
+        x, P, steps = self.model.x0, self.model.P0, []
+        for z in self.z:
+            prediction = predict(self.model, x, P, np.array([self.p.u]))
+            updated = update(self.model, prediction.x_pred, prediction.P_pred, np.array([z]))
+            steps.append(((x, P), prediction, updated))
+            x, P = updated.x, updated.P
+        return steps
+
+    def boxes(self, steps):
+        """The corners ((p, v) lowest, (p, v) highest) of what holds every ellipse and measurement, with some room."""
+        beliefs = [steps[0][0]] + [(a.x_pred, a.P_pred) for _, a, _ in steps] + [(b.x, b.P) for _, _, b in steps]
+        centres = np.array([x for x, _ in beliefs])
+        reach = 2.5 * np.sqrt([np.diag(P) for _, P in beliefs])
+        low, high = (centres - reach).min(axis=0), (centres + reach).max(axis=0)
+        low[0], high[0] = min(low[0], self.z.min() - 0.5), max(high[0], self.z.max() + 0.5)
+        return low, high
+
+    def redraw(self):
+        moment = self.moment.value
+        steps = self.steps
+        k, kind = (moment + 1) // 2, 0 if moment == 0 else 2 - moment % 2
+        (x, P), prediction, updated = steps[max(k - 1, 0)]
+        belief = [(x, P), (prediction.x_pred, prediction.P_pred), (updated.x, updated.P)][kind]
+        low, high = zip(self.usual, self.boxes(steps))
+        self.limits = np.array([2 * np.floor(np.min(low, axis=0) / 2), 2 * np.ceil(np.max(high, axis=0) / 2)])
+        self.current = k, kind, steps[max(k - 1, 0)]
+        self.plane.draw(self.ellipses())
+        self.bells.draw(self.gaussians())
+        self.equations.value = self.filled_in()
+        before = (P, P, prediction.P_pred)[kind]
+        gain, y = updated.K[0, 0], updated.y[0]
+        at_z = self.z[max(k - 1, 0)]
+        origin = "yours" if at_z != self.given[max(k - 1, 0)] else "source" if k == 1 else "synthetic"
+        numbers = dict(x=belief[0][0], v=belief[0][1], sx=math.sqrt(belief[1][0, 0]), sv=math.sqrt(belief[1][1, 1]),
+                       before=math.sqrt(before[0, 0]), K=gain, y=y, dt=self.p.dt)
+        numbers = {name: self.decimal(value, 3) for name, value in numbers.items()}
+        self.sentence.value = (
+            f'<p style="line-height:1.5"><b>{self.say(f"title {kind}", k=k, of=self.STEPS)}</b><br>'
+            + self.say(f"text {kind}", percent=self.decimal(100 * gain, 2), origin=self.say(origin, seed=SEED), **numbers)
+            + "</p>")
+        self.quiet = True
+        self.measured.value, self.measured.disabled = at_z, kind != 2
+        self.quiet = False
+        self.back.disabled, self.next.disabled = moment == 0, moment == self.moment.max
+
+    def ellipses(self):
+        """The figure of the current moment in the plane of position and velocity."""
+        k, kind, (before, prediction, updated) = self.current
+        shown = {f"$x_{{{max(k - 1, 0)}}}$": (*before, plots.ESTIMATE)} if kind < 2 else {}
+        if kind:
+            shown[f"$x_{{\\mathrm{{pred}},{k}}}$"] = (prediction.x_pred, prediction.P_pred, plots.PREDICTION)
+        if kind == 2:
+            shown[f"$x_{{{k}}}$"] = (updated.x, updated.P, plots.ESTIMATE)
+        z = dict(z=self.z[k - 1], R=self.model.R[0, 0]) if kind == 2 else {}
+        (x_low, v_low), (x_high, v_high) = self.limits
+        return plots.ellipses(shown, **z, limits=((x_low, x_high), (v_low, v_high)))
+
+    def gaussians(self):
+        """The figure of the current moment for the position alone, above the same axis as the ellipses."""
+        k, kind, (before, prediction, updated) = self.current
+        curves = {f"$x_{{{max(k - 1, 0)}}}$": (before[0][0], before[1][0, 0], plots.ESTIMATE)} if kind < 2 else {}
+        if kind:
+            curves[f"$x_{{\\mathrm{{pred}},{k}}}$"] = (prediction.x_pred[0], prediction.P_pred[0, 0], plots.PREDICTION)
+        if kind == 2:
+            curves["$z$"] = (self.z[k - 1], self.model.R[0, 0], plots.MEASUREMENT)
+            curves[f"$x_{{{k}}}$"] = (updated.x[0], updated.P[0, 0], plots.ESTIMATE)
+        figure = plots.gaussians(curves, xlabel="$p$ (m)", height=2.2)
+        highest = max(1 / math.sqrt(2 * math.pi * variance) for _, variance, _ in curves.values())
+        figure.axes[0].set(ylabel="$f(p)$", xlim=self.limits[:, 0], ylim=(0, 1.1 * 2 ** math.ceil(math.log2(highest))))
+        return figure
+
+    def filled_in(self):
+        """The equations of the current moment with their numbers, as LaTeX."""
+        k, kind, ((x, P), (x_pred, P_pred, F), (x_new, P_new, y, S, K)) = self.current
+        m, u, z, pred = self.model, _tex(self.p.u), self.z[max(k - 1, 0)], r"_{\mathrm{pred}}"
+        FT, HT = r"F^{\top}", r"H^{\top}"
+        if kind == 0:
+            lines = [f"x_0 &= {_tex(x)} & P_0 &= {_tex(P)}", f"F &= {_tex(F)} & B &= {_tex(m.B)}",
+                     f"H &= {_tex(m.H)} & Q &= {_tex(m.Q)}", rf"R &= {_tex(m.R)} & u &= {u}"]
+        elif kind == 1:
+            lines = [f"x{pred} &= F x + B u",
+                     f"&= {_tex(F)} {_tex(x)} + {_tex(m.B)} ({u}) = {_tex(x_pred)}",
+                     f"P{pred} &= F P {FT} + Q",
+                     f"&= {_tex(F)} {_tex(P)} {_tex(F.T)} + {_tex(m.Q)}", f"&= {_tex(P_pred)}"]
+        else:
+            HPH = P_pred[0, 0]
+            lines = [f"y &= z - H x{pred} = {_tex(z)} - {_signed(x_pred[0])} = {_tex(y)}",
+                     f"S &= H P{pred} {HT} + R = {_tex(HPH)} + {_tex(m.R)} = {_tex(S)}",
+                     rf"K &= P{pred} {HT} S^{{-1}} = {_tex(P_pred[:, 0])} \frac{{1}}{{{_tex(S)}}} = {_tex(K)}",
+                     f"x &= x{pred} + K y = {_tex(x_pred)} + {_tex(K)} ({_tex(y)}) = {_tex(x_new)}",
+                     f"P &= (I - K H) P{pred}", f"&= {_tex(np.eye(2) - K @ m.H)} {_tex(P_pred)} = {_tex(P_new)}"]
+        return r"$$\begin{aligned}" + r"\\[4pt]".join(lines) + r"\end{aligned}$$"
+
+
+def _signed(value):
+    """A number that follows a minus sign."""
+    return f"({_tex(value)})" if value < 0 else _tex(value)
+
+
+def _tex(a):
+    """A number, a column or a matrix in LaTeX, four significant digits."""
+    a = np.asarray(a, dtype=float)
+    if a.size == 1:
+        text = f"{a.item() + 0.0:.4g}"
+        mantissa, e, exponent = text.partition("e")
+        return rf"{mantissa}\times10^{{{int(exponent)}}}" if e else text
+    rows = a if a.ndim == 2 else a[:, np.newaxis]
+    return r"\begin{bmatrix}" + r"\\".join(" & ".join(map(_tex, row)) for row in rows) + r"\end{bmatrix}"
+
+
+# --- chapter 2: the form ---------------------------------------------------------------------------------------------
+
+class SmootherForm(Board):
+    """The paper's form: No / Measured / Filtered, driven by Q, R, x0, P0, with any data the reader brings."""
+    LOOK_ALIKES = {"silkworm_room": dict(R=1e-3, window=3), "cutting_force": dict(R=1e-3, window=5),
+                   "tank_level": dict(R=7.7e-4, window=2)}      # the paper's settings; Q is 1e-5
+    words = {
+        "source": {"id": "Data", "en": "Data"},
+        "paper": {"id": "16 nilai dari makalah", "en": "the paper's 16 values"},
+        "silkworm_room": {"id": "suhu ruang ulat sutra (sintetis)", "en": "temperature of a silkworm room (synthetic)"},
+        "cutting_force": {"id": "gaya potong pelepah sawit (sintetis)", "en": "cutting force of oil-palm frond (synthetic)"},
+        "tank_level": {"id": "muka air tangki ikan (sintetis)", "en": "water level of a fish tank (synthetic)"},
+        "given": {"id": "data dari sel kode", "en": "data from the code cell"},
+        "text": {"id": "kolom yang ditempel", "en": "pasted column"},
+        "file": {"id": "berkas yang diunggah", "en": "uploaded file"},
+        "paste": {"id": "Tempelkan satu kolom bilangan di sini, misalnya dari Excel.",
+                  "en": "Paste a column of numbers here, for example from Excel."},
+        "upload": {"id": "Unggah CSV atau Excel", "en": "Upload CSV or Excel"},
+        "decimal": {"id": "Tanda desimal", "en": "Decimal sign"},
+        "auto": {"id": "kenali sendiri", "en": "find out"},
+        ",": {"id": "koma (1,5)", "en": "comma (1,5)"},
+        ".": {"id": "titik (1.5)", "en": "point (1.5)"},
+        "column": {"id": "Kolom", "en": "Column"},
+        "shown": {"id": "N = {n}. Data yang ditampilkan: {what}", "en": "N = {n}. Data shown: {what}"},
+        "no_file": {"id": "Belum ada berkas yang diunggah.", "en": "No file has been uploaded yet."},
+        "steady": {"id": "Rentang tunak (No)", "en": "Steady stretch (No)"},
+        "take_R": {"id": "R dari rentang ini", "en": "R from this stretch"},
+        "too_short": {"id": "Rentang itu berisi kurang dari dua nilai.", "en": "That stretch holds fewer than two values."},
+        "likelihood": {"id": "Q dan R paling mungkin", "en": "Most likely Q and R"},
+        "cut": {"id": "Hanya {n} nilai pertama yang dipakai untuk mencari Q dan R.",
+                "en": "Only the first {n} values were used to find Q and R."},
+        "window": {"id": "Jendela rataan bergerak", "en": "Window of the moving average"},
+        "measured": {"id": "Terukur", "en": "Measured"},
+        "filtered": {"id": "Hasil filter", "en": "Filtered"},
+        "average": {"id": "Rataan bergerak", "en": "Moving average"},
+        "middle": {"id": "{n} baris di tengah tidak ditampilkan; unduhan memuat semuanya.",
+                   "en": "{n} rows in the middle are not shown; the download has them all."},
+        "filter": {"id": "Filter Kalman", "en": "Kalman filter"},
+        "roughness": {"id": "Kekasaran (simpangan baku langkah)", "en": "Roughness (standard deviation of the steps)"},
+        "lag_truth": {"id": "Kelambatan terhadap nilai sebenarnya (sampel)", "en": "Lag behind the truth (samples)"},
+        "lag_rts": {"id": "Kelambatan terhadap penghalus RTS (sampel)", "en": "Lag behind the RTS smoother (samples)"},
+        "rmse": {"id": "RMSE", "en": "RMSE"},
+        "no_truth": {"id": "nilai sebenarnya tidak diketahui", "en": "no truth known"},
+        "csv": {"id": "Siapkan CSV", "en": "Prepare CSV"},
+        "xlsx": {"id": "Siapkan Excel dengan rumus hidup", "en": "Prepare Excel with live formulas"},
+        "save": {"id": "Simpan {name}", "en": "Save {name}"},
+    }
+
+    def __init__(self, z=None, p=None):
+        super().__init__()
+        p = p or smoother.Params()
+        self.given = None if z is None else np.asarray(z, dtype=float).ravel()
+        self.figure = self.result = None
+        keys = ["paper", *self.LOOK_ALIKES, *([] if z is None else ["given"]), "text", "file"]
+        self.source = _wide(self.choices(self.label(widgets.Dropdown(), "source"), keys))
+        self.text = self.label(widgets.Textarea(rows=3, layout=widgets.Layout(width="100%")), "paste", "placeholder")
+        self.upload = _wide(self.label(widgets.FileUpload(accept=".csv,.txt,.tsv,.xlsx"), "upload"))
+        self.sign = _wide(self.choices(self.label(widgets.Dropdown(), "decimal"), ["auto", ",", "."]))
+        self.column = _wide(self.label(widgets.Dropdown(), "column"))
+        meta = describe(smoother.Params)
+        self.Q, row_Q = self.log_field("Q", meta["Q"], p.Q)
+        self.R, row_R = self.log_field("R", meta["R"], p.R)
+        self.x0, row_x0 = self.text_field("x0", meta["x0"], p.x0)
+        self.P0, row_P0 = self.text_field("P0", meta["P0"], p.P0)
+        self.window = widgets.IntSlider(p.window, 1, max(50, p.window), layout=widgets.Layout(width="15em"))
+        self.steady = widgets.IntRangeSlider(min=1, layout=widgets.Layout(width="17em"))
+        self.take_R, self.likelihood, self.csv, self.xlsx = (
+            _wide(self.label(widgets.Button(), key)) for key in ("take_R", "likelihood", "csv", "xlsx"))
+        self.note, self.table, self.measures, self.link = (widgets.HTML() for _ in range(4))
+        self.table.layout = widgets.Layout(flex="0 0 270px")
+        self.plot = Screen()
+
+        def under(key, part):
+            return widgets.VBox([self.label(widgets.Label(), key, "value"), part])
+
+        self.view = widgets.VBox([
+            self.language,
+            _row(self.source, self.column, self.sign, self.upload), self.text,
+            self.note, self.message,
+            _row(row_Q, row_R, row_x0, row_P0, under("window", self.window)),
+            _row(under("steady", widgets.HBox([self.steady, self.take_R])), self.likelihood),
+            widgets.HBox([self.table, widgets.VBox([self.plot, self.measures], layout=widgets.Layout(flex="1 1 380px"))],
+                         layout=widgets.Layout(flex_flow="row wrap", align_items="flex-start", grid_gap="8px")),
+            _row(self.csv, self.xlsx, self.link),
+        ], layout=widgets.Layout(width="98%"))
+        for part in (self.source, self.sign):
+            self.on(part, self.load)
+        self.on(self.text, lambda: self.load("text"))
+        self.on(self.upload, lambda: self.load("file"))
+        self.on(self.column, self.choose)
+        for part in (self.Q, self.R, self.x0, self.P0, self.window):
+            self.on(part, self.calculate)
+        self.on(self.take_R, self.R_from_steady)
+        self.on(self.likelihood, self.most_likely)
+        self.on(self.csv, self.prepare_csv)
+        self.on(self.xlsx, self.prepare_xlsx)
+        if z is not None:
+            self.quiet, self.source.value, self.quiet = True, "given", False
+        self.load(settings=p)
+
+    def text_field(self, name, meta, value):
+        self.words = {**self.words, name: {"id": f"{name}, {meta['id']}", "en": f"{name}, {meta['en']}"}}
+        text = widgets.Text(f"{value:.12g}", continuous_update=False, layout=widgets.Layout(width="7.5em"))
+        return text, widgets.VBox([self.label(widgets.Label(), name, "value"), text])
+
+    # --- from the data to the result ---
+
+    def load(self, source=None, settings=None):
+        """Fetch the data of the source, then filter it. What cannot be read leaves everything as it was."""
+        self.quiet, self.source.value, self.quiet = True, source or self.source.value, False
+        source, truth = self.source.value, None
+        sign = None if self.sign.value == "auto" else self.sign.value
+        if source in ("text", "file"):
+            if source == "file" and not self.upload.value:
+                raise InputError(self.words["no_file"]["en"], self.words["no_file"]["id"])
+            upload = self.upload.value[0] if source == "file" else None
+            table = read_file(upload["name"], bytes(upload["content"]), sign) if upload else read_text(self.text.value, sign)
+            columns, what = table.columns, {"id": table.note_id, "en": table.note_en}
+        else:
+            z, truth = self.built_in(source)
+            columns, what = {"z": z}, {key: word + "." for key, word in self.words[source].items()}
+            if source != "given":
+                settings = settings or smoother.Params(**self.LOOK_ALIKES.get(source, {}))
+        if settings:
+            self.set_fields(settings)
+        self.columns, self.truth, self.what = columns, truth, what
+        self.quiet = True
+        self.column.options = list(columns)
+        self.column.value = self.column.options[0]
+        self.column.layout.display = None if len(columns) > 1 else "none"
+        self.quiet = False
+        self.choose()
+
+    def built_in(self, source):
+        """The measurements (T,) of a built-in source and the truth (T,), which only a look-alike knows."""
+        if source in ("paper", "given"):
+            return smoother.MEASURED if source == "paper" else self.given, None
+        made_up = getattr(smoother, source)(np.random.default_rng(SEED))
+        return made_up.z[:, 0], made_up.x[:, 0]
+
+    def set_fields(self, p):
+        """Write the settings p into the fields without calculating for each of them."""
+        self.quiet = True
+        for name in ("Q", "R", "x0", "P0"):
+            getattr(self, name).value = f"{getattr(p, name):.12g}"
+        self.window.value = p.window
+        self.quiet = False
+
+    def choose(self):
+        """Take the chosen column."""
+        self.z = self.columns[self.column.value]
+        n = len(self.z)
+        self.steady.max, self.steady.value = n, (1, min(n, 20))
+        self.calculate()
+
+    def calculate(self):
+        """Filter the data and show everything; nothing on the screen changes before all of it is known."""
+        p = smoother.Params(**{name: number(getattr(self, name).value) for name in ("Q", "R", "x0", "P0")},
+                            window=self.window.value)
+        z, truth, n = self.z, self.truth, len(self.z)
+        x, P, K, smooth = smoother.scalar_filter(z, p)
+        average = smoother.moving_average(z, p.window)
+        some = slice(None, None, -(-n // PLOT_POINTS))
+        figure = plots.series(np.arange(1, n + 1)[some], z[some], x[some], rivals={f"MA({p.window})": average[some]},
+                              truth=None if truth is None else truth[some])
+        self.plot.draw(figure)
+        self.figure, self.result = figure, (p, z, truth, x, P, K, smooth, average, self.what)
+        self.redraw()
+
+    def redraw(self):
+        """Write the result in the current language."""
+        if self.result is None:
+            return
+        p, z, truth, x, P, K, smooth, average, what = self.result
+        self.link.value = ""
+        self.note.value = f"<p style='margin:0'>{escape(self.say('shown', n=len(z), what=what[self.language.value]))}</p>"
+        self.table.value = self.table_of(z, x)
+        reference = smooth if truth is None else truth
+        no_truth = f"<td colspan='2'>{self.say('no_truth')}</td>"
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")         # a mean of nothing is NaN, which is shown as a dash
+            rows = {"roughness": [smoother.roughness(values) for values in (x, average)],
+                    "lag_rts" if truth is None else "lag_truth": [smoother.lag(values, reference) for values in (x, average)],
+                    "rmse": None if truth is None else [rmse(truth, values) for values in (x, average)]}
+        cells = {key: no_truth if values is None else "".join(f"<td>{_short(value)}</td>" for value in values)
+                 for key, values in rows.items()}
+        self.measures.value = _table(["", self.say("filter"), f"{self.say('average')} ({p.window})"],
+                                     [f"<th scope='row'>{self.say(key)}</th>{row}" for key, row in cells.items()])
+
+    def table_of(self, z, x):
+        """The table No / Measured / Filtered as HTML; a long one without its middle."""
+        n = len(z)
+        scale = np.nanmax(np.abs(z))
+        digits = 6 if not 0 < scale < 0.01 else 4 - math.floor(math.log10(scale))      # small values get more
+        rows = [f"<td>{k}</td><td>{'' if np.isnan(a) else _fixed(a, digits, trim='-')}</td><td>{_fixed(b, digits)}</td>"
+                for k, a, b in zip(range(1, n + 1), z, x)
+                if n <= TABLE_ROWS or not TABLE_ROWS // 2 < k <= n - TABLE_ROWS // 2]
+        hidden = ""
+        if n > TABLE_ROWS:
+            rows.insert(TABLE_ROWS // 2, "<td>⋮</td>" * 3)
+            hidden = f"<p style='margin:4px 0;line-height:1.4'>{self.say('middle', n=n - TABLE_ROWS)}</p>"
+        return _table(["No", self.say("measured"), self.say("filtered")], rows, "height:26em") + hidden
+
+    # --- Q and R from the data ---
+
+    def R_from_steady(self):
+        first, last = self.steady.value
+        stretch = self.z[first - 1:last]
+        if np.isfinite(stretch).sum() < 2:
+            raise InputError(self.words["too_short"]["en"], self.words["too_short"]["id"])
+        self.R.value = f"{smoother.R_from_steady(stretch):.6g}"
+
+    def most_likely(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")         # a search over absurd pairs overflows; they lose
+            Q, R = smoother.maximum_likelihood(self.z[:LIKELIHOOD_POINTS])
+        limits = describe(smoother.Params)
+        Q, R = (float(f"{np.clip(value, limits[name]['min'], limits[name]['max']):.6g}") for name, value in (("Q", Q), ("R", R)))
+        first = self.z[np.isfinite(self.z)][0]      # the likelihood starts there, so the filter does, too
+        p = replace(self.result[0], Q=Q, R=R, x0=first, P0=R)
+        self.set_fields(p)
+        self.calculate()
+        if len(self.z) > LIKELIHOOD_POINTS:
+            self.tell({key: text.format(n=LIKELIHOOD_POINTS) for key, text in self.words["cut"].items()})
+
+    # --- downloads: a link that holds the file, made only when asked for ---
+
+    def prepare_csv(self):
+        p, z, _, x, P, K, _, average, _ = self.result
+        lines = [",".join(["No", self.say("measured"), self.say("filtered"), "K", "P", f"MA{p.window}"])]
+        lines += [",".join([str(k), *("" if np.isnan(value) else repr(float(value)) for value in row)])
+                  for k, row in enumerate(zip(z, x, K, P, average), start=1)]
+        self.offer("kalman.csv", "text/csv", "\r\n".join(lines).encode() + b"\r\n")
+
+    def prepare_xlsx(self):
+        p, z, *_ = self.result
+        book = io.BytesIO()
+        write_workbook(book, z, p.Q, p.R, p.x0, p.P0, name=self.say("measured"))
+        self.offer("kalman.xlsx", "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet", book.getvalue())
+
+    def offer(self, name, kind, content):
+        data = base64.b64encode(content).decode()
+        self.link.value = (f'<a download="{name}" href="data:{kind};base64,{data}" '
+                           f'style="color:#1f6fb4;text-decoration:underline">{self.say("save", name=name)}</a>')
+
+
+def _fixed(value, digits, **options):
+    """A number with a fixed count of digits behind the point; a huge one with a power of ten."""
+    if abs(value) >= 1e12:
+        return f"{value:.6e}"
+    return np.format_float_positional(value, digits, **options) if options else f"{value:.{digits}f}"
+
+
+def _short(value):
+    return f"{value:.4g}" if math.isfinite(value) else "\u2013"
+
+
+def _table(head, rows, style=""):
+    """An HTML table whose head stays in place while it scrolls."""
+    heads = "".join(f"<th scope='col' style='position:sticky;top:0;background:var(--jp-layout-color1,#fff);"
+                    f"text-align:right'>{word}</th>" for word in head)
+    body = "".join(f"<tr>{row}</tr>" for row in rows)
+    return (f"<div tabindex='0' style='overflow:auto;{style}'><table style='border-spacing:8px 0;text-align:right;"
+            f"line-height:1.5;font-variant-numeric:tabular-nums'><thead><tr>{heads}</tr></thead><tbody>{body}</tbody>"
+            "</table></div>")
+
+
+# --- chapter 2: one measurement at a time ----------------------------------------------------------------------------
+
+class SmootherOnline(Board):
+    """The filter at work: whenever a measurement arrives, one `predict` and one `update`."""
+    words = {
+        "new": {"id": "Pengukuran baru", "en": "New measurement"},
+        "hint": {"id": "bilangan, lalu Enter", "en": "a number, then Enter"},
+        "add": {"id": "Tambahkan", "en": "Add"},
+        "reset": {"id": "Kosongkan", "en": "Clear"},
+        "stream": {"id": "Aliran sintetis (suhu ruang ulat sutra, benih acak {seed}):",
+                   "en": "Synthetic stream (temperature of a silkworm room, random seed {seed}):"},
+        "waiting": {"id": "Belum ada pengukuran. Isilah satu bilangan atau jalankan aliran sintetis.",
+                    "en": "No measurement yet. Enter a number or play the synthetic stream."},
+    }
+
+    def __init__(self, p=None):
+        super().__init__()
+        self.p = p or smoother.Params(Q=1e-3, R=0.09, P0=1000)
+        self.model = smoother.model(self.p)
+        self.stream = smoother.silkworm_room(np.random.default_rng(SEED)).z[:, 0]
+        self.figure = None
+        self.entry = _wide(self.label(self.label(widgets.Text(continuous_update=False), "new"), "hint", "placeholder"))
+        self.entry.layout.width = "22em"
+        self.button, self.restart = (_wide(self.label(widgets.Button(), key)) for key in ("add", "reset"))
+        self.play = widgets.Play(min=0, max=len(self.stream), interval=300, show_repeat=False)
+        self.words = {**self.words, "stream": {key: text.format(seed=SEED) for key, text in self.words["stream"].items()}}
+        self.numbers = widgets.HTML(layout=widgets.Layout(width="98%", min_height="4em"))
+        self.plot = Screen()
+        self.view = widgets.VBox([
+            self.language,
+            _row(self.entry, self.button, self.restart),
+            _row(self.label(widgets.Label(), "stream", "value"), self.play),
+            self.message, self.numbers, self.plot], layout=widgets.Layout(width="98%"))
+        for part in (self.entry, self.button):
+            self.on(part, self.enter)
+        self.on(self.restart, self.reset)
+        self.on(self.play, self.feed)
+        self.reset()
+
+    def reset(self):
+        self.x, self.P, self.K, self.fed = self.model.x0, self.model.P0, None, 0
+        self.history = []               # (z, x, P) of every arrival
+        self.quiet, self.play.playing, self.play.value, self.quiet = True, False, 0, False
+        self.redraw()
+
+    def enter(self):
+        """A number was typed; the field empties itself for the next one."""
+        if self.entry.value.strip():
+            z = number(self.entry.value)
+            self.quiet, self.entry.value, self.quiet = True, "", False
+            self.add(z)
+
+    def feed(self):
+        """The player moved on: pass the values that have arrived since."""
+        until = self.play.value
+        arrived, self.fed = self.stream[self.fed:until], until
+        self.add(*arrived)
+
+    def add(self, *measurements):
+        """Every measurement: predict, then update."""
+        for z in measurements:
+            self.x, self.P, _ = predict(self.model, self.x, self.P)
+            self.x, self.P, _, _, self.K = update(self.model, self.x, self.P, np.array([z]))
+            self.history.append((z, self.x[0], self.P[0, 0]))
+        self.redraw()
+
+    def redraw(self):
+        self.plot.layout.display = None if self.history else "none"
+        if not self.history:
+            self.numbers.value = f"<p>{self.say('waiting')}</p>"
+            return
+        z, x, P = np.array(self.history).T
+        k = np.arange(1, len(z) + 1)
+        recent = slice(-200, None)
+        self.figure = plots.series(k[recent], z[recent], x[recent], np.sqrt(P[recent]))
+        first = k[recent][0] - 1
+        self.figure.axes[0].set_xlim(first, first + 50 * math.ceil((k[-1] - first) / 50))
+        self.plot.draw(self.figure)
+        cells = [f"{k[-1]}", f"{z[-1]:.6g}", f"{self.K[0, 0]:.6f}", f"{x[-1]:.6f}", f"{P[-1]:.6g}"]
+        self.numbers.value = _table(["k", "z", "K", "x", "P"], ["".join(f"<td>{cell}</td>" for cell in cells)])

@@ -1,0 +1,425 @@
+"""The widgets without a browser: their Python side is driven as the browser would drive it."""
+import base64
+import datetime
+import io
+import re
+import subprocess
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from openpyxl import load_workbook
+
+from kalman_lib import kalman_filter, rmse, rts_smooth, widgets
+from kalman_lib.papers import smoother, theory
+
+LANGUAGES = ("id", "en")
+
+
+def parts(widget):
+    """The widget and everything inside it."""
+    yield widget
+    for child in getattr(widget, "children", ()):
+        yield from parts(child)
+
+
+def text_of(board):
+    """Every word that the widget shows, one string; the language toggle itself left out."""
+    words = []
+    for part in parts(board.view):
+        if part is not board.language:
+            words += [getattr(part, name, "") for name in ("description", "placeholder", "value")]
+            words += [label for label in getattr(part, "_options_labels", ())]
+    return re.sub(r"<[^>]*>", " ", " | ".join(word for word in words if isinstance(word, str)))
+
+
+def rows(form):
+    """The table No / Measured / Filtered as it is shown: lists of strings."""
+    return [re.findall(r"<td>(.*?)</td>", row) for row in re.findall(r"<tr>(<td>.*?)</tr>", form.table.value)]
+
+
+def filtered(z, p):
+    return kalman_filter(smoother.model(p), z).x[:, 0]
+
+
+def upload(form, name, content):
+    form.upload.value = ({"name": name, "type": "", "size": len(content), "content": memoryview(content),
+                          "last_modified": datetime.datetime(2026, 1, 1)},)
+
+
+def test_importing_starts_nothing():
+    code = "import kalman_lib.widgets, ipywidgets.widgets.widget as w; print(len(w._instances))"
+    out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert out.stdout.split() == ["0"] and out.stderr == ""
+
+
+# --- the static twin, the language, the messages ---------------------------------------------------------------------
+
+@pytest.mark.parametrize("start, paper", [(widgets.theory_steps, "theory"), (widgets.smoother_form, "smoother"),
+                                          (widgets.smoother_online, "smoother")])
+def test_one_output_live_in_jupyter_and_static_in_the_book(start, paper, monkeypatch):
+    shown = []
+    monkeypatch.setattr(widgets, "display", lambda data, raw: shown.append((data, raw)))
+    assert start() is None
+    (data, raw), = shown
+    assert raw and "application/vnd.jupyter.widget-view+json" in data
+    match = re.fullmatch(rf'<kalman-explorer paper="{paper}"><img alt="" src="data:image/png;base64,(.*?)">'
+                         "</kalman-explorer>", data["text/html"])
+    png = base64.b64decode(match[1])
+    assert png.startswith(b"\x89PNG") and 3_000 < len(png) < 60_000
+
+
+def every_state():
+    """The three widgets, each in states that show all of its words."""
+    steps = widgets.TheorySteps()
+    for moment in range(3):
+        steps.moment.value = moment
+        yield steps
+    form = widgets.SmootherForm()
+    for text in ("", "1\n2\n3", "word", "\n".join("12345" * 300)):
+        form.text.value = text
+        yield form
+    form.source.value = "tank_level"
+    yield form
+    form.csv.click()
+    yield form
+    online = widgets.SmootherOnline()
+    yield online
+    online.add(1.0, 2.0)
+    yield online
+
+
+def test_switching_the_language_leaves_no_word_of_the_other():
+    for board in every_state():
+        seen = {}
+        for language in ("en", "id"):
+            board.language.value = language
+            seen[language] = text_of(board)
+        for key, word in board.words.items():
+            for language, other in (("id", "en"), ("en", "id")):
+                pieces = [piece for piece in re.split(r"\{\w+\}", word[other]) if len(piece.strip(" .:(),%m")) > 3]
+                for piece in pieces:
+                    if not any(piece in mine[language] for mine in board.words.values()):
+                        assert piece not in seen[language], (key, language, piece)
+        assert seen["id"] != seen["en"]
+
+
+def test_every_word_exists_in_both_languages_and_keeps_its_blanks():
+    for board in (widgets.TheorySteps, widgets.SmootherForm, widgets.SmootherOnline):
+        for key, word in board.words.items():
+            assert all(word[language].strip() for language in LANGUAGES), key
+            assert word["id"] != word["en"] or key in ("source", "rmse"), f"{key} is not translated"
+            assert len({tuple(sorted(re.findall(r"\{\w+\}", word[language]))) for language in LANGUAGES}) == 1, key
+
+
+def test_an_unexpected_error_in_a_callback_becomes_a_message(monkeypatch):
+    form = widgets.SmootherForm()
+    before = form.table.value
+    monkeypatch.setattr(widgets.plots, "series", lambda *_, **__: 1 / 0)
+    form.Q.value = "0.5"
+    assert "division by zero" in form.message.value and form.table.value == before
+
+
+# --- the form --------------------------------------------------------------------------------------------------------
+
+def test_the_paper_s_table_to_every_printed_digit():
+    shown = rows(widgets.SmootherForm())
+    assert [row[0] for row in shown] == [str(k) for k in range(1, 17)]
+    assert [float(row[1]) for row in shown] == list(smoother.MEASURED)
+    assert [float(row[2]) for row in shown] == list(smoother.FILTERED)
+
+
+@pytest.mark.parametrize("changes", [dict(Q="7.7e-4"), dict(R="0,25"), dict(x0="-0,4"), dict(P0="0"),
+                                     dict(Q="0.01", R="1")])
+def test_every_typed_number_reaches_the_table(changes):
+    form = widgets.SmootherForm()
+    for name, typed in changes.items():
+        getattr(form, name).value = typed
+    p = smoother.Params(**{name: float(typed.replace(",", ".")) for name, typed in changes.items()})
+    assert [row[2] for row in rows(form)] == [f"{x:.6f}" for x in filtered(smoother.MEASURED, p)]
+    assert form.message.value == ""
+
+
+def slider_of(form, text):
+    return next(part.children[0] for part in parts(form.view) if getattr(part, "children", ())[1:] == (text,))
+
+
+def test_slider_and_text_follow_each_other():
+    form = widgets.SmootherForm()
+    slider = slider_of(form, form.R)
+    slider.value = 10 ** -2.5
+    assert form.R.value == "0.00316" and rows(form)[5][2] == f"{filtered(smoother.MEASURED, smoother.Params(R=0.00316))[5]:.6f}"
+    form.R.value = "0.00077"
+    assert slider.value == pytest.approx(0.00077)
+    slider.value = 10 ** -3.1                   # the browser rounds the slider to its next step: the typed number stays
+    assert form.R.value == "0.00077"
+    form.R.value = "nonsense"
+    slider.value = 0.1
+    assert form.R.value == "0.1" and form.message.value == ""
+
+
+@pytest.mark.parametrize("typed", ["", "abc", "nan", "inf", "-1", "0", "1e300"])
+def test_an_absurd_R_gives_one_sentence_in_both_languages_and_keeps_the_result(typed):
+    form = widgets.SmootherForm()
+    before = rows(form)
+    form.R.value = typed
+    said = {}
+    for language in LANGUAGES:
+        form.language.value = language
+        said[language] = re.sub("<.*?>", "", form.message.value)
+    assert said["id"] and said["en"] and said["id"] != said["en"] and " / " not in said["id"] + said["en"]
+    assert rows(form) == before
+    form.R.value = "1e-5"
+    assert form.message.value == ""
+
+
+def test_pasting_a_column_with_decimal_commas_and_a_gap():
+    form = widgets.SmootherForm()
+    form.text.value = "Suhu\n20,5\n\n21,25\n20,75\n"
+    z = np.array([20.5, np.nan, 21.25, 20.75])
+    assert form.source.value == "text" and [row[1] for row in rows(form)] == ["20.5", "", "21.25", "20.75"]
+    assert [row[2] for row in rows(form)] == [f"{x:.6f}" for x in filtered(z, smoother.Params())]
+    assert "koma" in form.note.value and "N = 4" in form.note.value
+    form.language.value = "en"
+    assert "comma" in form.note.value
+
+
+def test_bad_text_says_so_in_both_languages_and_keeps_the_table():
+    form = widgets.SmootherForm()
+    form.source.value = "tank_level"
+    before = form.table.value, form.measures.value, form.note.value
+    form.text.value = "1\n2\nthree <b>"
+    assert "Baris 3" in form.message.value and "&lt;b&gt;" in form.message.value
+    assert (form.table.value, form.measures.value, form.note.value) == before
+    form.language.value = "en"
+    assert "Line 3" in form.message.value and "Measured" in form.table.value
+    form.Q.value = "0.001"                      # still the data before, with its truth
+    assert len(rows(form)) == 240 and "no truth" not in form.measures.value
+
+
+def test_uploading_a_file_with_several_columns():
+    form = widgets.SmootherForm()
+    upload(form, "data.csv", "t;suhu;arus\n1;20,5;3\n2;21,5;4\n3;22,5;6\n".encode("utf-16"))
+    assert form.column.options == ("t", "suhu", "arus") and form.column.layout.display is None
+    form.column.value = "suhu"
+    assert [row[1] for row in rows(form)] == ["20.5", "21.5", "22.5"] and form.message.value == ""
+    form.sign.value = "."
+    assert "N = 3" in form.note.value and form.column.value == "t"
+    upload(form, "picture.png", b"\x89PNG\0")
+    assert "picture.png" in form.message.value and len(rows(form)) == 3
+
+
+def test_the_file_source_without_a_file_says_so():
+    form = widgets.SmootherForm()
+    form.source.value = "file"
+    assert form.words["no_file"]["id"] in form.message.value and len(rows(form)) == 16
+
+
+def test_the_measures_beside_the_plot():
+    form = widgets.SmootherForm()
+    assert "nilai sebenarnya tidak diketahui" in form.measures.value
+    form.source.value = "silkworm_room"
+    p = smoother.Params(R=1e-3, window=3)       # the paper's settings come with the data
+    drive = smoother.silkworm_room(np.random.default_rng(widgets.SEED))
+    z, truth = drive.z[:, 0], drive.x[:, 0]
+    x, average = filtered(z, p), smoother.moving_average(z, 3)
+    shown = re.findall(r"<td>(.*?)</td>", form.measures.value)
+    assert shown == [f"{value:.4g}" for value in (
+        smoother.roughness(x), smoother.roughness(average), smoother.lag(x, truth), smoother.lag(average, truth),
+        rmse(truth, x), rmse(truth, average))]
+
+
+def test_a_long_series_shows_its_ends_and_stays_quick_to_read():
+    form = widgets.SmootherForm(z=np.random.default_rng(1).normal(size=30_000))
+    shown = rows(form)
+    assert len(shown) == 1001 and shown[500] == ["⋮"] * 3 and shown[499][0] == "500" and shown[501][0] == "29501"
+    assert "29000 baris" in form.table.value and form.source.value == "given"
+    assert len(form.figure.axes[0].lines[0].get_xdata()) <= widgets.PLOT_POINTS
+
+
+@pytest.mark.parametrize("z", [[3.0], [3.0, 3.0], [1e300, -1e300, 0.0], [np.nan, 1.0, np.nan]])
+def test_tiny_constant_and_huge_data(z):
+    form = widgets.SmootherForm(z=z)
+    assert form.message.value == "" and len(rows(form)) == len(z)
+    form.likelihood.click()
+    assert form.said is None or form.said["id"] != form.said["en"]
+
+
+def test_small_values_get_more_digits():
+    form = widgets.SmootherForm(z=[1.234e-6, 2.5e-6])
+    assert rows(form)[0][1] == "0.000001234"
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_quick_scalar_filter_equals_the_reference(seed):
+    rng = np.random.default_rng(seed)
+    z = rng.normal(size=300).cumsum()
+    z[rng.random(300) < 0.2] = np.nan
+    p = smoother.Params(*10 ** rng.uniform(-6, 2, 2), x0=rng.normal(), P0=rng.choice([0, 1.0, 1e6]))
+    result = kalman_filter(smoother.model(p), z)
+    ours = smoother.scalar_filter(z, p)
+    for mine, reference in zip(ours, (result.x[:, 0], result.P[:, 0, 0], result.K[:, 0, 0], rts_smooth(result).x[:, 0])):
+        assert mine == pytest.approx(reference, rel=1e-12, abs=1e-12)
+
+
+def test_R_from_a_steady_stretch_and_maximum_likelihood():
+    form = widgets.SmootherForm()
+    form.source.value = "silkworm_room"
+    z = smoother.silkworm_room(np.random.default_rng(widgets.SEED)).z[:, 0]
+    form.steady.value = (11, 30)
+    form.take_R.click()
+    assert float(form.R.value) == pytest.approx(np.var(z[10:30], ddof=1), rel=1e-5)
+    form.steady.value = (5, 5)
+    form.take_R.click()
+    assert form.words["too_short"]["id"] in form.message.value
+    form.likelihood.click()
+    assert (float(form.Q.value), float(form.R.value)) == pytest.approx(smoother.maximum_likelihood(z), rel=1e-5)
+    assert float(form.x0.value) == pytest.approx(z[0])          # where the likelihood starts, too
+    assert float(form.P0.value) == pytest.approx(float(form.R.value))
+    assert slider_of(form, form.Q).value == pytest.approx(float(form.Q.value)) and form.message.value == ""
+
+
+def linked(form):
+    name, data = re.search(r'download="(.*?)" href="data:.*?;base64,(.*?)"', form.link.value).groups()
+    return name, base64.b64decode(data)
+
+
+def test_downloads():
+    form = widgets.SmootherForm(z=[20.5, np.nan, 21.25])
+    form.csv.click()
+    name, content = linked(form)
+    head, *lines = content.decode().splitlines()
+    assert name == "kalman.csv" and head == "No,Terukur,Hasil filter,K,P,MA3"
+    x = filtered(np.array([20.5, np.nan, 21.25]), smoother.Params())
+    assert [float(line.split(",")[2]) for line in lines] == pytest.approx(x, rel=1e-14) and lines[1].startswith("2,,")
+    form.xlsx.click()
+    name, content = linked(form)
+    cells = [cell for row in load_workbook(io.BytesIO(content)).worksheets[0].iter_rows(values_only=True) for cell in row]
+    assert name == "kalman.xlsx" and 20.5 in cells and any(str(cell).startswith("=") for cell in cells)
+    form.Q.value = "1"
+    assert form.link.value == ""                # it would hold the result before
+
+
+# --- the step-through ------------------------------------------------------------------------------------------------
+
+def test_the_steps_equal_kalman_filter():
+    steps = widgets.TheorySteps()
+    steps.Q.value, steps.R.value = "0,3", "0.2"
+    result = kalman_filter(theory.model(replace(theory.Params(), Q=0.3, R=0.2)), steps.z, u=np.full((5, 1), -2.0))
+    for k, (_, prediction, updated) in enumerate(steps.walk()):
+        assert np.array_equal(prediction.P_pred, result.P_pred[k]) and np.array_equal(updated.x, result.x[k])
+        steps.moment.value = 2 * k + 2
+        assert all(f"{value:.4g}" in steps.equations.value for value in (*result.x[k], *result.K[k, :, 0]))
+        assert f"{result.K[k, 0, 0]:.3g}".replace(".", ",") in steps.sentence.value
+
+
+def test_walking_forward_and_back_through_the_worked_example():
+    steps = widgets.TheorySteps()
+    assert steps.back.disabled and "x_0" in steps.equations.value
+    steps.next.click()
+    assert "0.36" in steps.equations.value and steps.measured.disabled and "Prediksi" in steps.sentence.value
+    steps.next.click()
+    for printed in ("0.878", "1.22", "2.237", "3.634", "0.0439", "0.06098", "0.4902", "0.41", "0.122", "-1.22"):
+        assert printed in steps.equations.value
+    assert "K = 0,878: 88 %" in steps.sentence.value and "dari contoh pada sumber" in steps.sentence.value
+    steps.next.click()
+    steps.next.click()
+    assert "sintetis" in steps.sentence.value
+    steps.moment.value = 10
+    assert steps.next.disabled
+    steps.back.click()
+    assert "Langkah 5 dari 5: prediksi" in steps.sentence.value
+
+
+def test_a_bad_Q_keeps_the_step_and_its_sentence_follows_the_language():
+    steps = widgets.TheorySteps()
+    steps.moment.value = 2
+    before = steps.equations.value
+    steps.Q.value = "100"
+    assert "yang diterima" in steps.message.value and steps.equations.value == before
+    steps.language.value = "en"
+    assert "accepted are" in steps.message.value and "Update: K = 0.878" in steps.sentence.value
+
+
+def test_dragging_the_measurement_lets_the_gain_decide():
+    steps = widgets.TheorySteps()
+    steps.moment.value = 2
+    steps.measured.value = 4.5
+    x = 2.5 + 0.36 / 0.41 * (4.5 - 2.5)
+    assert f"{x:.4g}" in steps.equations.value and "pilihan Anda" in steps.sentence.value
+    steps.restart.click()
+    steps.moment.value = 2
+    assert steps.measured.value == 2.2 and "2.237" in steps.equations.value
+
+
+@pytest.mark.parametrize("Q, R", [(0.1, 0.05), (10, 10), (1e-4, 1e-4), (10, 1e-4), (1e-4, 10)])
+def test_no_ellipse_is_ever_clipped_and_the_axes_stand_still(Q, R):
+    steps = widgets.TheorySteps()
+    steps.Q.value, steps.R.value = str(Q), str(R)
+    limits = set()
+    for steps.moment.value in range(11):
+        assert steps.message.value == ""
+        ax = steps.ellipses().axes[0]
+        limits.add((ax.get_xlim(), ax.get_ylim()))
+        for patch in ax.patches:
+            if isinstance(patch, widgets.plots.Ellipse):
+                box = patch.get_path().transformed(patch.get_patch_transform()).get_extents()
+                assert ax.get_xlim()[0] <= box.x0 and box.x1 <= ax.get_xlim()[1]
+                assert ax.get_ylim()[0] <= box.y0 and box.y1 <= ax.get_ylim()[1]
+    assert len(limits) == 1
+
+
+def test_every_step_has_another_picture():
+    steps = widgets.TheorySteps()
+    pictures = set()
+    for steps.moment.value in range(11):
+        pictures |= {steps.plane.value, steps.bells.value}
+    assert len(pictures) == 22
+
+
+def test_a_picture_drawn_over_kept_axes_equals_one_drawn_from_scratch():
+    steps = widgets.TheorySteps()
+    steps.moment.value = 4
+    kept = steps.plane.value
+    fresh = widgets.Screen()
+    fresh.draw(steps.ellipses())
+    assert kept == fresh.value
+
+
+# --- one measurement at a time ---------------------------------------------------------------------------------------
+
+def test_online_equals_kalman_filter():
+    online = widgets.SmootherOnline()
+    online.entry.value = "24,5"
+    assert online.entry.value == ""             # ready for the next one, even the same
+    online.entry.value = "24,5"
+    online.play.value = 3
+    online.play.value = 40
+    z = np.concatenate(([24.5, 24.5], online.stream[:40]))
+    result = kalman_filter(online.model, z)
+    assert np.array_equal([row[1] for row in online.history], result.x[:, 0])
+    assert np.array_equal([row[2] for row in online.history], result.P[:, 0, 0])
+    for value in (result.K[-1, 0, 0], result.x[-1, 0]):
+        assert f"{value:.6f}" in online.numbers.value
+
+
+def test_online_refuses_words_and_resets():
+    online = widgets.SmootherOnline()
+    online.entry.value = "hangat"
+    assert "bukan bilangan" in online.message.value and not online.history
+    online.entry.value = "1"
+    assert online.message.value == "" and len(online.history) == 1
+    online.button.click()                       # nothing typed: nothing happens
+    assert online.message.value == "" and len(online.history) == 1
+    online.restart.click()
+    assert not online.history and online.play.value == 0 and "Belum ada" in online.numbers.value
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_maximum_likelihood_of_steady_data_stays_in_the_range_of_the_fields(seed):
+    form = widgets.SmootherForm(np.random.default_rng(seed).normal(5, 0.01, 100))
+    form.likelihood.click()
+    p = form.result[0]
+    assert p.Q >= 1e-12 and p.R == pytest.approx(1e-4, rel=0.5)
+    assert form.message.value == "" and form.result[3][-1] == pytest.approx(5, abs=0.01)
