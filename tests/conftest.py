@@ -1,6 +1,8 @@
 """What several test files share: outside programs, the built site, a real browser."""
 import os
 import shutil
+import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
@@ -31,3 +33,13 @@ def chromium():
             "--disable-component-update", "--disable-sync", f"--disk-cache-dir={profile}"])
         yield browser
         browser.close()
+
+
+@pytest.fixture(scope="session")
+def site():
+    """The built book, _build/site; built first if anything changed since (seconds, or nothing to do)."""
+    result = subprocess.run([sys.executable, str(ROOT / "book" / "build.py")], cwd=ROOT, capture_output=True, text=True)
+    if result.returncode != 0:
+        reasons = [line for line in (result.stdout + result.stderr).splitlines() if "WARNING" in line or "Error" in line]
+        pytest.fail("the book does not build (python book/build.py):\n" + "\n".join(reasons[:10]), pytrace=False)
+    return ROOT / "_build" / "site"

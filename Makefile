@@ -1,0 +1,49 @@
+# The whole way from a fresh machine to the finished book. `make help` lists what there is.
+PYTHON ?= python3
+VENV := .venv
+PY := $(VENV)/bin/python
+PORT ?= 8000
+
+.PHONY: help book test lab serve outputs lock clean
+.DEFAULT_GOAL := help
+
+help: ## show this list
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-7s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+book: $(VENV)/.npm ## build the book in both languages: _build/site/index.html
+	$(PY) book/build.py
+
+test: $(VENV)/.npm ## run every test, then every notebook again, comparing its stored outputs
+	$(PY) -m pytest tests
+	$(PY) -m pytest --nbval notebooks
+
+lab: $(VENV)/.installed ## open the notebooks in JupyterLab
+	$(PY) -m jupyterlab --notebook-dir=notebooks
+
+serve: book ## show the built book at http://localhost:8000 (another port: make serve PORT=8080)
+	@echo "The book is at http://localhost:$(PORT) (stop with Ctrl+C)"
+	$(PY) -m http.server $(PORT) --bind 127.0.0.1 --directory _build/site
+
+outputs: $(VENV)/.installed ## run the notebooks and store their outputs
+	$(PY) -m nbconvert --to notebook --execute --inplace --ExecutePreprocessor.store_widget_state=False notebooks/*.ipynb
+
+lock: $(VENV)/.installed ## write requirements.lock again from requirements.txt
+	$(VENV)/bin/uv pip compile --universal --python-version 3.11 --no-annotate --no-header -q requirements.txt -o requirements.lock
+
+clean: ## remove everything that was built (the virtual environment stays)
+	rm -rf _build book/_static/vendor book/node_modules $(VENV)/.npm .pytest_cache
+	find book kalman_lib tests notebooks -name __pycache__ -prune -exec rm -rf {} +
+
+# The two set-up steps leave a stamp, so that the next call is quick.
+$(VENV)/.installed: requirements.lock pyproject.toml
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
+	  { echo "Python 3.11 or newer is needed; $(PYTHON) is not (choose another one: make book PYTHON=python3.12)."; exit 1; }
+	@echo "Creating the virtual environment $(VENV) and installing the locked requirements (about a minute) ..."
+	$(PYTHON) -m venv $(VENV)
+	$(PY) -m pip install --disable-pip-version-check -r requirements.lock
+	$(PY) -m pip install --disable-pip-version-check --no-deps --no-build-isolation -e .
+	@touch $@
+
+$(VENV)/.npm: $(VENV)/.installed book/package-lock.json
+	$(PY) book/_ext/offline.py
+	@touch $@

@@ -1,0 +1,146 @@
+"""Build the book in both languages: python book/build.py
+
+    _config.yml   ->  _build/work/<language>   (Jupyter Book, once per language; one cache of executed notebooks)
+                  ->  _build/site/<language>   (the same pages without what no reader needs, plus a workbook and a .zip)
+                      _build/site/index.html   (leads to the reader's language)
+
+Does nothing when nothing changed since the last build. Open _build/site/index.html, no server needed.
+"""
+import hashlib
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+import zipfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+BUILD = ROOT / "_build"
+SITE = BUILD / "site"
+CACHE = BUILD / "cache"  # executed notebooks, common to both languages
+ZIP_NAMES = {"id": "filter-kalman", "en": "kalman-filter"}
+NOT_FOR_READERS = ("*.map", "*.ttf", "*.LICENSE.txt", "*webpack-macros.html", "fontawesome.js", ".buildinfo*", "reports",
+                   "objects.inv", "fontawesome")
+
+sys.path.insert(0, str(ROOT / "book" / "_ext"))
+try:
+    import yaml
+    import jupyter_book  # noqa: F401  (these two only to see that they are there)
+    import kalman_lib  # noqa: F401
+    import languages
+    import offline
+except ImportError as error:
+    sys.exit(f"The Python package {error.name!r} is missing: install it with\n    pip install -r requirements.lock\n"
+             "    pip install --no-deps --no-build-isolation -e .")
+
+
+def fingerprint(*paths):
+    """One number for the content of these files and folders."""
+    digest = hashlib.sha256()
+    for path in paths:
+        files = sorted(path.rglob("*")) if path.is_dir() else [path]
+        for file in files:
+            relative = file.relative_to(ROOT)
+            if file.is_file() and not {"node_modules", "vendor", "__pycache__", ".ipynb_checkpoints"} & set(relative.parts) \
+                    and file.suffix != ".mo":
+                digest.update(relative.as_posix().encode() + b"\0" + file.read_bytes())
+    return digest.hexdigest()
+
+
+def is_new(mark, value):
+    """Does the file `mark` hold another value than this one?"""
+    return not mark.exists() or mark.read_text() != value
+
+
+def write_config(language, folder):
+    """The configuration of one language: _config.yml with absolute paths, the language and the common cache."""
+    config = yaml.safe_load((ROOT / "_config.yml").read_text(encoding="utf-8"))
+    config["execute"]["cache"] = str(CACHE)
+    sphinx = config["sphinx"]
+    sphinx["local_extensions"] = {name: str(ROOT / path) for name, path in sphinx["local_extensions"].items()}
+    for key in ("locale_dirs", "templates_path", "html_static_path"):
+        sphinx["config"][key] = [str(ROOT / path) for path in sphinx["config"][key]]
+    sphinx["config"].update(language=language, book_site=True)
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / "config.yml"
+    path.write_text(yaml.safe_dump(config, sort_keys=False, allow_unicode=True), encoding="utf-8")
+    return path
+
+
+def build_language(language):
+    """Run Jupyter Book; any warning is an error."""
+    folder = BUILD / "work" / language
+    command = [sys.executable, "-c", "from jupyter_book.cli.main import main; main()", "build", str(ROOT), "--config", str(write_config(language, folder)),
+               "--toc", str(ROOT / "_toc.yml"), "--path-output", str(folder), "--all", "-n", "-W", "--keep-going"]
+    print(f"\n=== {languages.LANGUAGES[language]} ===", flush=True)
+    if subprocess.run(command, cwd=ROOT, env={**os.environ, "PYTHONUTF8": "1"}).returncode != 0:
+        sys.exit(f"The {languages.LANGUAGES[language]} book was not built: the message is above (warnings count as errors).")
+    return folder / "_build" / "html"
+
+
+def write_zip(language, path):
+    """What a reader needs to run the chapters: notebooks in one language, their data, kalman_lib, the requirements."""
+    files = [file for folder in ("notebooks/data", "kalman_lib") for file in sorted((ROOT / folder).rglob("*"))
+             if file.is_file() and "__pycache__" not in file.parts]
+    files += [ROOT / name for name in ("requirements.txt", "requirements.lock", "pyproject.toml", "LICENSE") if (ROOT / name).exists()]
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for file in files:
+            archive.write(file, f"{path.stem}/{file.relative_to(ROOT).as_posix()}")
+        for notebook in sorted((ROOT / "notebooks").glob("*.ipynb")):
+            content = languages.download_notebook(json.loads(notebook.read_text(encoding="utf-8")), language)
+            archive.writestr(f"{path.stem}/notebooks/{notebook.name}", json.dumps(content, indent=1, ensure_ascii=False))
+
+
+def write_workbook(path):
+    """The workbook that chapter 2 offers: the paper's table, as in its own cell."""
+    from kalman_lib import spreadsheet
+    from kalman_lib.papers import smoother
+    spreadsheet.write_workbook(path, smoother.MEASURED, Q=1e-5, R=1e-5, x0=0, P0=1)
+
+
+def write_offline_worker(language, folder, version):
+    """The script that keeps the pages of one language on the reader's device (over http; file:// needs no such thing)."""
+    kept = [file.relative_to(folder).as_posix() for file in sorted(folder.rglob("*"))
+            if file.suffix in {".html", ".css", ".js", ".png", ".svg", ".ico", ".woff2"} and file.is_file()]
+    script = (ROOT / "book" / "_templates" / "offline-worker.js").read_text(encoding="utf-8")
+    for name, value in {"language": language, "version": version[:12], "files": json.dumps(kept)}.items():
+        script = script.replace("{{ " + name + " }}", value)
+    (folder / "offline-worker.js").write_text(script, encoding="utf-8")
+
+
+def assemble(outputs, version):
+    """Put the finished pages of both languages into _build/site."""
+    shutil.rmtree(SITE, ignore_errors=True)
+    for language, output in outputs.items():
+        shutil.copytree(output, SITE / language, ignore=shutil.ignore_patterns(*NOT_FOR_READERS))
+        write_workbook(SITE / language / "kalman.xlsx")
+        write_offline_worker(language, SITE / language, version)
+        write_zip(language, SITE / language / f"{ZIP_NAMES[language]}.zip")
+    first_page = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))["root"] + ".html"
+    choose = (ROOT / "book" / "_templates" / "choose.html").read_text(encoding="utf-8")
+    (SITE / "index.html").write_text(choose.replace("{{ page }}", first_page), encoding="utf-8")
+
+
+def main():
+    started = time.monotonic()
+    offline.install()
+    code = fingerprint(ROOT / "kalman_lib", ROOT / "notebooks" / "data", ROOT / "requirements.lock")
+    everything = code + fingerprint(ROOT / "book", ROOT / "notebooks", ROOT / "_config.yml", ROOT / "_toc.yml")
+    code_mark, site_mark = CACHE / "made-with", BUILD / "built-from"
+    if (SITE / "index.html").exists() and not is_new(site_mark, everything):
+        print("The book is up to date.")
+    else:
+        if is_new(code_mark, code):  # the cache looks at the cells of a notebook only, not at the code they import
+            shutil.rmtree(CACHE, ignore_errors=True)
+            CACHE.mkdir(parents=True)
+            code_mark.write_text(code)
+        assemble({language: build_language(language) for language in languages.LANGUAGES}, everything)
+        site_mark.write_text(everything)
+        print(f"\nBuilt in {time.monotonic() - started:.0f} s.")
+    print(f"Open {SITE / 'index.html'}")
+
+
+if __name__ == "__main__":
+    main()
