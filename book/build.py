@@ -88,6 +88,7 @@ def write_zip(language, path):
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         for file in files:
             archive.write(file, f"{path.stem}/{file.relative_to(ROOT).as_posix()}")
+        archive.write(path.parent / "kalman.xlsx", f"{path.stem}/kalman.xlsx")  # chapter 2 links to it
         for notebook in sorted((ROOT / "notebooks").glob("*.ipynb")):
             content = languages.download_notebook(json.loads(notebook.read_text(encoding="utf-8")), language)
             archive.writestr(f"{path.stem}/notebooks/{notebook.name}", json.dumps(content, indent=1, ensure_ascii=False))

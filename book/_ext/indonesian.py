@@ -49,8 +49,13 @@ def translate(template):
     return template
 
 
-class IndonesianStyle(Style):
-    """The bibliography style `unsrt` with Indonesian words."""
+class EnglishStyle(Style):
+    """The bibliography style `unsrt`, in the order of the authors."""
+    default_sorting_style = "author_year_title"
+
+
+class IndonesianStyle(EnglishStyle):
+    """The same with Indonesian words."""
 
     def format_edition(self, e):
         return optional[words["edisi", field("edition", apply_func=lambda text: text.lower())]]
@@ -71,7 +76,7 @@ class IndonesianReferences(AuthorYearReferenceStyle):
 
 def choose_citation_words(app, config):
     indonesian = config.language == "id"
-    register_pybtex("pybtex.style.formatting", "book", IndonesianStyle if indonesian else Style, force=True)
+    register_pybtex("pybtex.style.formatting", "book", IndonesianStyle if indonesian else EnglishStyle, force=True)
     register_referencing("sphinxcontrib.bibtex.style.referencing", "book",
                          IndonesianReferences if indonesian else AuthorYearReferenceStyle, force=True)
 

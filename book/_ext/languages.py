@@ -8,6 +8,7 @@ import json
 import re
 from pathlib import Path
 
+import pybtex.database
 from docutils import nodes
 from sphinx.util import logging
 
@@ -15,6 +16,10 @@ LANGUAGES = {"id": "Bahasa Indonesia", "en": "English"}
 MENDED = {'<summary aria-label="Toggle hidden content">': "<summary>",            # myst-nb: its own text says it already
           '<div role="list" class="citation-list">': '<div class="citation-list">',  # docutils: a list without list items
           ' role="doc-biblioentry"': ""}
+HINT = {"id": "*Untuk menjalankan buku catatan ini diperlukan `kalman_lib` dan folder `data`. Keduanya ada dalam arsip lengkap di "
+              "halaman “Cara memakai buku ini”.*",
+        "en": "*To run this notebook, `kalman_lib` and the folder `data` are needed. Both are in the complete archive on the page "
+              "“How to use this book”.*"}
 WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
 logger = logging.getLogger(__name__)
 
@@ -50,13 +55,33 @@ def filter_markdown(text, language):
     return "\n".join(kept).strip() + "\n"
 
 
-def download_notebook(notebook, language):
-    """The notebook a reader takes home: one language, stored outputs, nothing that only this build understands."""
+def citations(bibliography, language):
+    """Key -> "Welch and Bishop, 2006" for every entry of the .bib file, in the words of one language."""
+    joint, others = {"id": (" dan ", " dkk."), "en": (" and ", " et al.")}[language]
+    names = {}
+    for key, entry in pybtex.database.parse_file(str(bibliography)).entries.items():
+        authors = [" ".join(person.last_names) or str(person) for person in entry.persons.get("author", [])]
+        who = authors[0] + others if len(authors) > 2 else joint.join(authors)
+        names[key] = f"{who.replace('{', '').replace('}', '')}, {entry.fields.get('year', '')}"
+    return names
+
+
+def download_notebook(notebook, language, hint=""):
+    """The notebook a reader takes home: one language, stored outputs, nothing that only this build understands.
+
+    hint is a text for its top.
+    """
     notebook = json.loads(json.dumps(filter_notebook(notebook, language)))  # a deep copy
+    names = citations(Path(__file__).resolve().parent.parent / "references.bib", language)
     for cell in notebook["cells"]:
         cell["metadata"].pop("book", None)
+        if cell["cell_type"] == "markdown":
+            cell["source"] = re.sub(r"\{cite(?::\w)?\}`([^`]+)`", lambda match: "[" + "; ".join(
+                names[key.strip()] for key in match[1].split(",")) + "]", "".join(cell["source"]))
         for output in cell.get("outputs", []):
             output.get("data", {}).pop(WIDGET_VIEW, None)  # a live widget needs its kernel; its picture stays
+    if hint:
+        notebook["cells"].insert(0, {"cell_type": "markdown", "id": "needed", "metadata": {}, "source": hint})
     notebook["metadata"].pop("widgets", None)
     return notebook
 
@@ -95,7 +120,7 @@ def split_config(app, config):
         return [split(part) for part in value] if isinstance(value, list) else value
 
     for name in ("html_title", "project", "author", "copyright", "html_theme_options", "nb_code_prompt_show",
-                 "nb_code_prompt_hide", "togglebutton_hint", "togglebutton_hint_hide"):
+                 "nb_code_prompt_hide", "book_solution_show", "book_solution_hide", "togglebutton_hint", "togglebutton_hint_hide"):
         config[name] = split(config[name])
 
 
@@ -154,6 +179,12 @@ def mend_markup(app, pagename, templatename, context, doctree):
         context["body"] = context.get("body", "").replace(wrong, right)
 
 
+def name_solutions(app, pagename, templatename, context, doctree):
+    """A hidden cell is the solution of an exercise: its prompt says so (other prompts say "Show the code")."""
+    context["body"] = re.sub(r'(<div class="cell tag_hide-cell[^>]*>\s*<details[^>]*>\s*<summary>\s*<p[^>]*>)[^<]*(</p>\s*<p[^>]*>)[^<]*',
+                             rf"\g<1>{app.config.book_solution_show}\g<2>{app.config.book_solution_hide}", context.get("body", ""))
+
+
 def write_downloads(app, exception):
     """Sphinx copied the sources of both languages into _sources: put this language's text there instead."""
     if exception or app.builder.format != "html":
@@ -164,7 +195,7 @@ def write_downloads(app, exception):
         if copy.exists():
             text = source.read_text(encoding="utf-8")
             if source.suffix == ".ipynb":
-                text = json.dumps(download_notebook(json.loads(text), app.config.language), indent=1, ensure_ascii=False)
+                text = json.dumps(download_notebook(json.loads(text), app.config.language, HINT[app.config.language]), indent=1, ensure_ascii=False)
             else:
                 text = filter_markdown(text, app.config.language)
             copy.write_text(text, encoding="utf-8")
@@ -190,7 +221,10 @@ def setup(app):
     app.connect("source-read", read_one_language)
     app.connect("doctree-read", name_sections, priority=400)  # before the table of contents is collected (500)
     app.connect("html-page-context", add_language_links)
+    app.add_config_value("book_solution_show", "", "html")
+    app.add_config_value("book_solution_hide", "", "html")
     app.connect("html-page-context", mend_markup)
+    app.connect("html-page-context", name_solutions, priority=600)  # after mend_markup
     app.connect("build-finished", write_downloads)
     app.connect("build-finished", write_index, priority=400)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}
