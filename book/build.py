@@ -75,6 +75,7 @@ def build_language(language):
     command = [sys.executable, "-c", "from jupyter_book.cli.main import main; main()", "build", str(ROOT), "--config", str(write_config(language, folder)),
                "--toc", str(ROOT / "_toc.yml"), "--path-output", str(folder), "--all", "-n", "-W", "--keep-going"]
     print(f"\n=== {languages.LANGUAGES[language]} ===", flush=True)
+    shutil.rmtree(folder / "_build" / "html", ignore_errors=True)  # no picture of an older build stays behind
     if subprocess.run(command, cwd=ROOT, env={**os.environ, "PYTHONUTF8": "1"}).returncode != 0:
         sys.exit(f"The {languages.LANGUAGES[language]} book was not built: the message is above (warnings count as errors).")
     return folder / "_build" / "html"

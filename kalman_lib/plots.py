@@ -116,8 +116,8 @@ def cover(t, z, x, sigma, truth, moments, height=4.2):
         ax.grid(False)
         for name, (k, prediction, measurement, estimate) in zip("abc", moments):
             ax.axvline(t[k], color="#6b7278", linewidth=0.7, linestyle=(0, (1, 2)), zorder=0)
-            ax.text(t[k], ax.get_ylim()[0], name, ha="center", va="bottom", color="#3a4147", fontweight="bold",
-                    backgroundcolor="#fdfcf9")
+            ax.text(t[k], 1, name, transform=ax.get_xaxis_transform(), ha="center", va="top", color="#3a4147",
+                    fontweight="bold", backgroundcolor="#fdfcf9")
             means, sigmas = np.array([[m, v ** 0.5] for m, v in (prediction, measurement)]).T
             grid = np.linspace((means - 2.6 * sigmas).min(), (means + 2.6 * sigmas).max(), 300)
             for (mean, variance), look in ((prediction, PREDICTION), (measurement, MEASUREMENT), (estimate, ESTIMATE)):

@@ -13,6 +13,8 @@ from sphinxcontrib.bibtex.plugin import register_plugin as register_referencing
 from sphinxcontrib.bibtex.style.referencing import PersonStyle
 from sphinxcontrib.bibtex.style.referencing.author_year import AuthorYearReferenceStyle
 
+from languages import choose
+
 
 class SearchIndonesian(SearchLanguage):
     """Words are found as they are written: Indonesian prefixes change a stem too much for a simple stemmer."""
@@ -54,6 +56,15 @@ class EnglishStyle(Style):
     default_sorting_style = "author_year_title"
 
 
+def choose_fields(app):
+    """A field or an author of references.bib may be written "Indonesia | English", like any other text of the book."""
+    for entry in app.env.get_domain("cite").bibdata.data.entries.values():
+        for name, value in list(entry.fields.items()):
+            entry.fields[name] = choose(value, app.config.language)
+        for person in entry.persons.get("author", []):
+            person.last_names = [choose(name.strip("{}"), app.config.language) for name in person.last_names]
+
+
 class IndonesianStyle(EnglishStyle):
     """The same with Indonesian words."""
 
@@ -83,5 +94,6 @@ def choose_citation_words(app, config):
 
 def setup(app):
     app.add_search_language(SearchIndonesian)
+    app.connect("builder-inited", choose_fields, priority=900)  # when the .bib file has been read
     app.connect("config-inited", choose_citation_words, priority=100)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

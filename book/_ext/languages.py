@@ -16,10 +16,10 @@ LANGUAGES = {"id": "Bahasa Indonesia", "en": "English"}
 MENDED = {'<summary aria-label="Toggle hidden content">': "<summary>",            # myst-nb: its own text says it already
           '<div role="list" class="citation-list">': '<div class="citation-list">',  # docutils: a list without list items
           ' role="doc-biblioentry"': ""}
-HINT = {"id": "*Untuk menjalankan buku catatan ini diperlukan `kalman_lib` dan folder `data`. Keduanya ada dalam arsip lengkap di "
-              "halaman “Cara memakai buku ini”.*",
-        "en": "*To run this notebook, `kalman_lib` and the folder `data` are needed. Both are in the complete archive on the page "
-              "“How to use this book”.*"}
+HINT = {"id": "*Untuk menjalankan buku catatan ini diperlukan `kalman_lib` dan folder `data`. Keduanya ada, bersama perintah "
+              "pemasangannya, dalam arsip lengkap di halaman “Cara memakai buku ini”.*",
+        "en": "*To run this notebook, `kalman_lib` and the folder `data` are needed. Both are, with the commands to install them, "
+              "in the complete archive on the page “How to use this book”.*"}
 WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
 logger = logging.getLogger(__name__)
 
@@ -60,16 +60,16 @@ def citations(bibliography, language):
     joint, others = {"id": (" dan ", " dkk."), "en": (" and ", " et al.")}[language]
     names = {}
     for key, entry in pybtex.database.parse_file(str(bibliography)).entries.items():
-        authors = [" ".join(person.last_names) or str(person) for person in entry.persons.get("author", [])]
+        authors = [choose(" ".join(person.last_names).strip("{}"), language) for person in entry.persons.get("author", [])]
         who = authors[0] + others if len(authors) > 2 else joint.join(authors)
-        names[key] = f"{who.replace('{', '').replace('}', '')}, {entry.fields.get('year', '')}"
+        names[key] = f"{who}, {choose(entry.fields.get('year', ''), language)}"
     return names
 
 
 def download_notebook(notebook, language, hint=""):
     """The notebook a reader takes home: one language, stored outputs, nothing that only this build understands.
 
-    hint is a text for its top.
+    hint is a text for below its title.
     """
     notebook = json.loads(json.dumps(filter_notebook(notebook, language)))  # a deep copy
     names = citations(Path(__file__).resolve().parent.parent / "references.bib", language)
@@ -81,7 +81,7 @@ def download_notebook(notebook, language, hint=""):
         for output in cell.get("outputs", []):
             output.get("data", {}).pop(WIDGET_VIEW, None)  # a live widget needs its kernel; its picture stays
     if hint:
-        notebook["cells"].insert(0, {"cell_type": "markdown", "id": "needed", "metadata": {}, "source": hint})
+        notebook["cells"].insert(1, {"cell_type": "markdown", "id": "needed", "metadata": {}, "source": hint})
     notebook["metadata"].pop("widgets", None)
     return notebook
 
@@ -120,7 +120,7 @@ def split_config(app, config):
         return [split(part) for part in value] if isinstance(value, list) else value
 
     for name in ("html_title", "project", "author", "copyright", "html_theme_options", "nb_code_prompt_show",
-                 "nb_code_prompt_hide", "book_solution_show", "book_solution_hide", "togglebutton_hint", "togglebutton_hint_hide"):
+                 "nb_code_prompt_hide", "book_solution_show", "book_solution_hide", "book_download_names", "togglebutton_hint", "togglebutton_hint_hide"):
         config[name] = split(config[name])
 
 
@@ -185,6 +185,13 @@ def name_solutions(app, pagename, templatename, context, doctree):
                              rf"\g<1>{app.config.book_solution_show}\g<2>{app.config.book_solution_hide}", context.get("body", ""))
 
 
+def name_downloads(app, pagename, templatename, context, doctree):
+    """Say in words what the buttons of the download menu give; the theme shows file endings only."""
+    for group in context.get("header_buttons", []):
+        for button in group.get("buttons", []):
+            button["text"] = app.config.book_download_names.get(button.get("text"), button.get("text"))
+
+
 def write_downloads(app, exception):
     """Sphinx copied the sources of both languages into _sources: put this language's text there instead."""
     if exception or app.builder.format != "html":
@@ -221,10 +228,12 @@ def setup(app):
     app.connect("source-read", read_one_language)
     app.connect("doctree-read", name_sections, priority=400)  # before the table of contents is collected (500)
     app.connect("html-page-context", add_language_links)
+    app.add_config_value("book_download_names", {}, "html")
     app.add_config_value("book_solution_show", "", "html")
     app.add_config_value("book_solution_hide", "", "html")
     app.connect("html-page-context", mend_markup)
     app.connect("html-page-context", name_solutions, priority=600)  # after mend_markup
+    app.connect("html-page-context", name_downloads, priority=600)  # after the theme has made its buttons
     app.connect("build-finished", write_downloads)
     app.connect("build-finished", write_index, priority=400)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -36,6 +36,10 @@
       });
     }
 
+    for (const button of document.querySelectorAll("button.toggle-button")) {
+      button.setAttribute("aria-label", toggleHintShow);
+    }
+
     // A box that scrolls must be reachable with the keyboard.
     const focusable = () => {
       for (const box of document.querySelectorAll(".katex-display, div.output, pre")) {
@@ -46,14 +50,28 @@
     window.addEventListener("load", focusable); // the fonts are here now
     window.addEventListener("resize", focusable);
 
-    // Keep the book for reading without a network, unless the reader asks to save data.
+    // The contents of the page lie over the text on a phone: close them when a section was chosen.
+    document.getElementById("pst-secondary-sidebar-modal")?.addEventListener("click", event => {
+      if (event.target.closest('a[href^="#"]')) event.currentTarget.close();
+    });
+
+    // A search result shows a formula once, and a term apart from its meaning.
+    if (typeof Search !== "undefined") {
+      const textOf = Search.htmlToText;
+      Search.htmlToText = (page, anchor) => {
+        const parsed = new DOMParser().parseFromString(page, "text/html");
+        parsed.querySelectorAll(".katex-mathml").forEach(element => element.remove());
+        parsed.querySelectorAll("dt, td, th, p, h2").forEach(element => element.append(" "));
+        return textOf(parsed.documentElement.outerHTML, anchor);
+      };
+    }
+  });
+
+  // Keep the book for reading without a network (when the page is complete), unless the reader asks to save data.
+  window.addEventListener("load", () => {
     if ("serviceWorker" in navigator && location.protocol.startsWith("http") && !navigator.connection?.saveData) {
       const root = document.documentElement.dataset.content_root || "./";
       navigator.serviceWorker.register(new URL(root + "offline-worker.js", location)).catch(() => { /* refused: read online */ });
-    }
-
-    for (const button of document.querySelectorAll("button.toggle-button")) {
-      button.setAttribute("aria-label", toggleHintShow);
     }
   });
 })();
