@@ -3,12 +3,12 @@
 One loop serves the linear and the extended filter: the model hands over F and H, constant or evaluated at the
 estimate. Source: Kalman (1960); the smoother: Rauch, Tung and Striebel (1965).
 """
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 
-from .models import _shape_message, check_covariance
+from .models import LinearModel, _shape_message, check_covariance, subtract
 
 
 class Prediction(NamedTuple):
@@ -34,6 +34,9 @@ class FilterResult:
     x_pred (T, n), P_pred (T, n, n) before the measurement; x (T, n), P (T, n, n) after it; y (T, m) innovation (NaN
     where the measurement is missing), S (T, m, m) its covariance, K (T, n, m) gain (0 where missing), F (T, n, n) the
     transition that led to the step, R (T, m, m) the measurement noise that was used.
+
+    Of many runs at once: x_pred and x are (T, n, runs), y is (T, m, runs); the rest is the same for every run and
+    stays as above, without the axis of the runs.
     """
     x_pred: np.ndarray
     P_pred: np.ndarray
@@ -92,14 +95,19 @@ def kalman_filter(model, z, u=None, adapt_R=None):
 
     model   LinearModel, or NonlinearModel (then this is the extended Kalman filter)
     z       (T, m) measurements; (T,) if m = 1. A row with NaN is a missed measurement: that step predicts only.
-    u       (T, l) inputs, row k drives the step to k; (T,) if l = 1
+            (T, m, runs) filters many runs of one LinearModel at once (a Monte Carlo study); see FilterResult. Needs
+            a constant R, the usual residual, no adapt_R and no NaN: then all runs share the same P, S and K.
+    u       (T, l) inputs, row k drives the step to k; (T,) if l = 1; common to all runs
     adapt_R function (k, y, HPH, R) -> R of step k, called before the update with the innovation y (m,), the part
             HPH (m, m) of its covariance that comes from the prediction, and the model's R (m, m)
 
-    Returns a FilterResult. ValueError: z or u of the wrong shape, infinite, or u with NaN.
+    Returns a FilterResult. ValueError: z or u of the wrong shape, infinite, or u with NaN; many runs where they
+    cannot share their gains.
     """
-    z = _series("z", z, width=model.R.shape[-1])
+    z = _series("z", z, width=model.R.shape[-1], runs=True)
     u = None if u is None else _series("u", u, steps=len(z))
+    if z.ndim == 3:
+        return _filter_runs(model, z, u, adapt_R)
     if model.R.ndim == 3 and len(model.R) != len(z):
         raise ValueError(_shape_message("R", model.R.shape, (len(z), *model.R.shape[1:])))
     x, P = model.x0, model.P0
@@ -127,6 +135,28 @@ def rts_smooth(result):
         x[k] = result.x[k] + G[k] @ (x[k + 1] - result.x_pred[k + 1])
         P[k] = _symmetric(result.P[k] + G[k] @ (P[k + 1] - result.P_pred[k + 1]) @ G[k].T)
     return SmootherResult(x, P, G)
+
+
+def _filter_runs(model, z, u, adapt_R):
+    """z (T, m, runs): P, S and K do not depend on what is measured, so they are computed once, by the loop above."""
+    if not isinstance(model, LinearModel) or model.R.ndim != 2 or model.residual is not subtract or adapt_R is not None:
+        raise ValueError("z of shape (T, m, runs) needs a LinearModel with constant R and the usual residual, and no "
+                         "adapt_R; filter run by run. / z berukuran (T, m, runs) memerlukan LinearModel dengan R "
+                         "tetap dan residu biasa, tanpa adapt_R; filterlah satu per satu.")
+    if np.isnan(z).any():
+        raise ValueError("z of shape (T, m, runs) holds NaN: a missed measurement has another gain; filter run by run. / "
+                         "z berukuran (T, m, runs) memuat NaN: pengukuran yang hilang mengubah penguatan; "
+                         "filterlah satu per satu.")
+    T, m, runs = z.shape
+    shared = kalman_filter(model, np.zeros((T, m)))
+    x_pred, x, y = np.empty((T, len(model.x0), runs)), np.empty((T, len(model.x0), runs)), np.empty(z.shape)
+    before = np.repeat(model.x0[:, np.newaxis], runs, axis=1)
+    for k in range(T):
+        drive = model.transition(np.zeros_like(model.x0), None if u is None else u[k])[0]      # B u
+        x_pred[k] = model.F @ before + drive[:, np.newaxis]
+        y[k] = z[k] - model.H @ x_pred[k]
+        x[k] = before = x_pred[k] + shared.K[k] @ y[k]
+    return replace(shared, x_pred=x_pred, x=x, y=y)
 
 
 def _missed(model, x_pred, P_pred, R):
@@ -157,8 +187,8 @@ def _solve(A, b):
         return np.linalg.pinv(A) @ b
 
 
-def _series(name, values, width=None, steps=None):
-    """z or u as a float array of shape (T, width); NaN only in z."""
+def _series(name, values, width=None, steps=None, runs=False):
+    """z or u as a float array of shape (T, width), with runs=True also (T, width, runs); NaN only in z."""
     try:
         array = np.asarray(values, dtype=float)
     except (TypeError, ValueError):
@@ -166,7 +196,7 @@ def _series(name, values, width=None, steps=None):
     if array.ndim == 1 and width in (1, None):
         array = array[:, np.newaxis]
     expected = ("T" if steps is None else steps, "l" if width is None else width)
-    if array.ndim != 2 or len(array) == 0 or array.shape[1] != (width or array.shape[1]) \
+    if array.ndim not in ((2, 3) if runs else (2,)) or array.size == 0 or array.shape[1] != (width or array.shape[1]) \
             or len(array) != (steps or len(array)):
         raise ValueError(_shape_message(name, array.shape, f"({expected[0]}, {expected[1]})"))
     if np.isinf(array).any() or (name == "u" and np.isnan(array).any()):

@@ -20,7 +20,8 @@ def rmse(x_true, x):
 def nees(x_true, x, P):
     """Normalised estimation error squared, (x_true - x)' P^-1 (x_true - x): (T, n), (T, n), (T, n, n) -> (T,).
 
-    If the filter's P is honest, its mean is n. P must be invertible (no state known exactly).
+    Of many runs at once: (T, n, runs), (T, n, runs), (T, n, n) -> (T, runs). If the filter's P is honest, its mean is
+    n. P must be invertible (no state known exactly).
     """
     return _quadratic(np.asarray(x_true, dtype=float) - x, P)
 
@@ -28,7 +29,8 @@ def nees(x_true, x, P):
 def nis(y, S):
     """Normalised innovation squared, y' S^-1 y: (T, m), (T, m, m) -> (T,), NaN where the measurement is missing.
 
-    Needs no truth. If the filter is consistent, its mean is m.
+    Of many runs at once: (T, m, runs), (T, m, m) -> (T, runs). Needs no truth. If the filter is consistent, its mean
+    is m.
     """
     return _quadratic(y, S)
 
@@ -110,6 +112,8 @@ def agreement(printed, ours):
 
 
 def _quadratic(e, P):
-    """e' P^-1 e for every row: (T, n), (T, n, n) -> (T,)."""
+    """e' P^-1 e for every row: (T, n), (T, n, n) -> (T,); with runs as last axis (T, n, runs), (T, n, n) -> (T, runs)."""
     e = np.asarray(e, dtype=float)
-    return np.einsum("ki,ki->k", e, np.linalg.solve(P, e[..., np.newaxis])[..., 0])
+    columns = e if e.ndim == 3 else e[..., np.newaxis]
+    squares = np.einsum("kir,kir->kr", columns, np.linalg.solve(P, columns))
+    return squares if e.ndim == 3 else squares[:, 0]

@@ -225,6 +225,45 @@ def consistency(lines, bounds, ylabel, xlabel="$k$", height=2.6):
     return figure
 
 
+def contours(x, y, values, xlabel, ylabel, levels, points=None, fmt="%g", height=3.4):
+    """Lines of equal height of values (len(y), len(x)), each with its number; points a dict label -> (x, y) of marks."""
+    with _figure(height=height) as (figure, ax):
+        ends = min(np.min(values), levels[0]) - 1, max(np.max(values), levels[-1]) + 1
+        ax.contourf(x, y, values, levels=(ends[0], *levels, ends[1]), cmap="Blues", alpha=0.45)
+        lines = ax.contour(x, y, values, levels=levels, colors="#3a4147", linewidths=0.8)
+        ax.clabel(lines, fmt=fmt, fontsize=9)
+        for (label, at), mark in zip((points or {}).items(), "osD^v"):
+            ax.plot(*at, mark, color=MEASUREMENT["color"], markersize=7, markeredgecolor="#fdfcf9", label=label)
+        ax.set(xlabel=xlabel, ylabel=ylabel)
+        ax.grid(False)
+        _legend(ax)
+    return figure
+
+
+def intervals(samples, xlabel, height=4.2):
+    """Where single values fall in simulated distributions: samples is a dict label -> (values (N,) > 0, the value to mark).
+
+    One row each, on a log axis: the histogram, its middle 95 % as a thick line and 99 % as a thin one, the mark a stroke.
+    """
+    with _figure(height=height) as (figure, ax):
+        for row, (values, mark) in enumerate(samples.values()):
+            edges = np.linspace(*np.log10([values.min(), values.max()]), 50)
+            count, _ = np.histogram(np.log10(values), edges)
+            ax.fill_between(10 ** ((edges[1:] + edges[:-1]) / 2), row + 0.1, row + 0.1 - 0.62 * count / count.max(), **BAND)
+            for probability, width in ((99, 1.2), (95, 4.0)):
+                ax.plot(np.percentile(values, (50 - probability / 2, 50 + probability / 2)), [row + 0.18] * 2,
+                        color=ESTIMATE["color"], linewidth=width, solid_capstyle="butt",
+                        label=f"{probability} %" if row == 0 else None)
+            ax.plot([mark, mark], [row - 0.45, row + 0.32], color=MEASUREMENT["color"], linewidth=2.2, zorder=5)
+        ax.set(xscale="log", xlabel=xlabel, yticks=range(len(samples)), yticklabels=list(samples),
+               ylim=(len(samples) - 0.4, -0.7))
+        ax.tick_params(axis="y", length=0)
+        ax.grid(False, axis="y")
+        ax.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+        _legend(ax)
+    return figure
+
+
 def _rgb(colour):
     """#rrggbb -> three numbers from 0 to 1."""
     return tuple(int(colour[i:i + 2], 16) / 255 for i in (1, 3, 5))

@@ -1,6 +1,6 @@
 """The live parts of the notebooks: sliders, buttons and tables that answer at once. Alone imports ipywidgets.
 
-`theory_steps()`, `smoother_form()` and `smoother_online()` each show one widget. Every widget is a Board: it speaks
+`theory_steps()`, `smoother_form()`, `smoother_online()` and `gyro()` each show one widget. Every widget is a Board: it speaks
 both languages, and an error inside it becomes a sentence on its message line instead of vanishing.
 """
 import base64
@@ -16,9 +16,9 @@ from IPython.display import display
 from matplotlib.image import imsave
 
 from . import plots
-from .filters import predict, update
+from .filters import kalman_filter, predict, update
 from .metrics import rmse
-from .papers import describe, smoother, theory
+from .papers import describe, gyro as gyro_paper, smoother, theory
 from .spreadsheet import InputError, read_file, read_text, write_workbook
 
 SEED = 2                    # of every synthetic measurement in this room
@@ -47,6 +47,12 @@ def smoother_online(p=None):
     board.add(*board.stream[:60])
     show(board.view, "smoother", board.figure)
     board.reset()
+
+
+def gyro(p=None):
+    """Chapter 3: the paper's simulation with sliders for its four inputs. p is a gyro.Params or None."""
+    board = GyroFlight(p)
+    show(board.view, "gyro", plots.panels(board.rows, xlabel="$t$ (s)", height=1.9))
 
 
 def show(widget, paper, figure):
@@ -778,3 +784,96 @@ class SmootherOnline(Board):
         self.plot.draw(self.figure)
         cells = [f"{k[-1]}", f"{z[-1]:.6g}", f"{self.K[0, 0]:.6f}", f"{x[-1]:.6f}", f"{P[-1]:.6g}"]
         self.numbers.value = _table(["k", "z", "K", "x", "P"], ["".join(f"<td>{cell}</td>" for cell in cells)])
+
+
+# --- chapter 3 -------------------------------------------------------------------------------------------------------
+
+class GyroFlight(Board):
+    """The paper's simulation: its four inputs as sliders, its two panels, and what the filter made of this noise."""
+    words = {
+        "noise": {"id": "Derau baru", "en": "New noise"},
+        **{f"case {figure}": {"id": f"Kasus {figure}", "en": f"Case {figure}"} for figure in gyro_paper.CASES},
+        "angle": {"id": "Sudut (rad) terhadap t (s)", "en": "Angle (rad) against t (s)"},
+        "errors": {"id": "Galat (rad) terhadap t (s)", "en": "Error (rad) against t (s)"},
+        "first": {"id": "langkah pertama", "en": "first step"},
+        "last": {"id": "langkah terakhir", "en": "last step"},
+        "outcome": {"id": "Galat pengukuran terbesar {z} rad, galat estimasi terbesar {x} rad. RMSE sensor {sensor} rad, "
+                          "RMSE filter {rmse} rad; {inside} % dari galat filter berada di dalam \u00b12\u221aP. "
+                          "Data sintetis (benih acak {seed}).",
+                    "en": "Largest measurement error {z} rad, largest estimation error {x} rad. RMSE of the sensor "
+                          "{sensor} rad, of the filter {rmse} rad; {inside} % of the filter's errors lie within "
+                          "\u00b12\u221aP. Synthetic data (random seed {seed})."},
+    }
+    FIELDS = {"duration": "t", "T": "T", "sigma_w": "\u03c3_w", "sigma_v": "\u03c3_v"}
+
+    def __init__(self, p=None):
+        super().__init__()
+        self.p, self.seed = p or gyro_paper.Params(), SEED
+        rows = []
+        for name, letter in self.FIELDS.items():
+            meta = describe(gyro_paper.Params)[name]
+            meta = {**meta, **{key: f"{meta[key]} ({meta['unit']})" for key in ("id", "en")}}
+            text, row = self.log_field(letter, meta, getattr(self.p, name))
+            setattr(self, name, text)
+            rows.append(row)
+        self.noise = _wide(self.label(widgets.Button(), "noise"))
+        self.figures = {figure: _wide(self.label(widgets.Button(), f"case {figure}")) for figure in gyro_paper.CASES}
+        self.sentence, self.table = widgets.HTML(layout=widgets.Layout(width="98%", min_height="4.5em")), widgets.HTML()
+        self.angle, self.errors = Screen(), Screen()
+        self.view = widgets.VBox([
+            self.language, _row(*rows), _row(self.noise, *self.figures.values()), self.message, self.sentence,
+            widgets.HBox([widgets.VBox([self.label(widgets.Label(), "angle", "value"), self.angle,
+                                        self.label(widgets.Label(), "errors", "value"), self.errors],
+                                       layout=widgets.Layout(flex="1 1 320px")), self.table],
+                         layout=widgets.Layout(flex_flow="row wrap", align_items="flex-start", grid_gap="8px")),
+        ], layout=widgets.Layout(width="98%"))
+        for name in self.FIELDS:
+            self.on(getattr(self, name), self.calculate)
+        self.on(self.noise, self.renew)
+        for figure, button in self.figures.items():
+            self.on(button, lambda figure=figure: self.choose(figure))
+        self.calculate()
+
+    def renew(self):
+        """The same settings with other random numbers."""
+        self.seed += 1
+        self.calculate()
+
+    def choose(self, figure):
+        """The settings of one of the paper's figures."""
+        p = gyro_paper.Params()
+        values = {"duration": p.duration, "T": p.T, **dict(zip(("sigma_w", "sigma_v"), gyro_paper.CASES[figure]))}
+        self.quiet = True
+        for name, value in values.items():
+            getattr(self, name).value = f"{value:.12g}"
+        self.quiet = False
+        self.calculate()
+
+    def calculate(self):
+        """Simulate, filter and draw; nothing on the screen changes before all of it is known."""
+        p = replace(self.p, **{name: number(getattr(self, name).value) for name in self.FIELDS})
+        flight = gyro_paper.simulate(p, np.random.default_rng(self.seed))
+        result = kalman_filter(gyro_paper.model(p), flight.z, flight.u)
+        some = slice(None, None, -(-len(flight.z) // PLOT_POINTS))
+        rows = [{name: part[some] if isinstance(part, np.ndarray) else part for name, part in row.items()}
+                for row in gyro_paper.layout(p, flight, result)]
+        figures = [plots.series(**row, xlabel="$t$ (s)", height=2.2) for row in rows]
+        for screen, figure in zip((self.angle, self.errors), figures):
+            screen.draw(figure)
+        self.rows, self.result = rows, (flight, result, self.seed)
+        self.redraw()
+
+    def redraw(self):
+        """Write the outcome in the current language."""
+        flight, result, seed = self.result
+        largest = gyro_paper.maxima(flight, result)
+        sigma = np.sqrt(result.P[:, 0, 0])
+        inside = np.mean(np.abs(flight.x - result.x)[:, 0] <= 2 * sigma)
+        numbers = dict(z=largest[0], x=largest[1], sensor=rmse(flight.x, flight.z)[0], rmse=rmse(flight.x, result.x)[0])
+        self.sentence.value = '<p role="status" style="line-height:1.5">' + self.say(
+            "outcome", inside=self.decimal(100 * inside, 3), seed=seed,
+            **{name: self.decimal(value, 3) for name, value in numbers.items()}) + "</p>"
+        rows = {"K": result.K[:, 0, 0], "P (rad\u00b2)": result.P[:, 0, 0], "\u221aP (rad)": sigma}
+        self.table.value = _table(["", self.say("first"), self.say("last")],
+                                  [f"<th scope='row'>{name}</th><td>{_short(values[0])}</td><td>{_short(values[-1])}</td>"
+                                   for name, values in rows.items()])

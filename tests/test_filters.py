@@ -210,3 +210,52 @@ def test_a_thousand_random_models_against_filterpy_and_statsmodels(block):
         close(result.x_pred, theirs.predicted_state.T[:-1])
         close(smooth.x, theirs.smoothed_state.T)
         close(smooth.P, theirs.smoothed_state_cov.transpose(2, 0, 1))
+
+
+# --- many runs at once -----------------------------------------------------------------------------------------------
+
+@pytest.mark.parametrize("seed", range(20))
+def test_many_runs_at_once_equal_the_loop_run_by_run(seed):
+    rng = np.random.default_rng(seed)
+    l = seed % 3                                            # without an input, with one, with two
+    model, T, runs = random_model(rng, l=l), 25, 4
+    u = rng.normal(size=(T, l)) if l else None
+    z = np.stack([simulate(model, T, rng, u).z for _ in range(runs)], axis=-1)
+    together = kalman_filter(model, z, u)
+    n, m = len(model.x0), z.shape[1]
+    assert together.x.shape == together.x_pred.shape == (T, n, runs) and together.y.shape == (T, m, runs)
+    for run in range(runs):
+        alone = kalman_filter(model, z[:, :, run], u)
+        for name in ("x_pred", "x", "y"):
+            close(getattr(together, name)[:, :, run], getattr(alone, name), 1e-12)
+        for name in ("P_pred", "P", "S", "K", "F", "R"):    # common to all runs: no axis of the runs
+            assert np.array_equal(getattr(together, name), getattr(alone, name))
+
+
+def test_many_runs_need_shared_gains_and_no_gaps():
+    rng = np.random.default_rng(4)
+    model = random_model(rng, n=2, m=1, l=1)
+    parts = {name: getattr(model, name) for name in ("F", "H", "Q", "R", "x0", "P0", "B")}
+    z = rng.normal(size=(6, 1, 3))
+    nonlinear = NonlinearModel(f=lambda x, u: x, F=lambda x, u: np.eye(2), h=lambda x: x[:1], H=lambda x: np.eye(1, 2),
+                               Q=model.Q, R=model.R, x0=model.x0, P0=model.P0)
+    in_time = LinearModel(**{**parts, "R": np.ones((6, 1, 1))})
+    wrapped = LinearModel(**parts, residual=lambda z, z_pred: z - z_pred)
+    for other in (nonlinear, in_time, wrapped):
+        with pytest.raises(ValueError, match="needs a LinearModel with constant R.* / .*memerlukan LinearModel"):
+            kalman_filter(other, z)
+    with pytest.raises(ValueError, match="no adapt_R"):
+        kalman_filter(model, z, adapt_R=lambda k, y, HPH, R: R)
+    with pytest.raises(ValueError, match=r"u has shape \(6, 1, 3\), expected \(6, l\)"):
+        kalman_filter(model, z, u=z)
+    with pytest.raises(ValueError, match="model has no B"):
+        kalman_filter(LinearModel(**{**parts, "B": None}), z, u=np.ones(6))
+    for wrong in (np.zeros((6, 2, 3)), np.zeros((6, 1, 0)), np.zeros((6, 1, 3, 1))):
+        with pytest.raises(ValueError, match=r"z has shape .*, expected \(T, 1\)"):
+            kalman_filter(model, wrong)
+    z[2, 0, 1] = np.nan
+    with pytest.raises(ValueError, match="holds NaN: .* / .*memuat NaN"):
+        kalman_filter(model, z)
+    z[2, 0, 1] = np.inf
+    with pytest.raises(ValueError, match="finite"):
+        kalman_filter(model, z)

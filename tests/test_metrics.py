@@ -32,6 +32,17 @@ def test_rmse_nees_nis_by_hand():
         rmse([1, 2], [1, 2, 3])
 
 
+def test_nees_and_nis_of_many_runs_are_those_of_every_run():
+    rng = np.random.default_rng(8)
+    A = rng.normal(size=(5, 3, 3))
+    e, P = rng.normal(size=(5, 3, 4)), A @ A.swapaxes(1, 2) + np.eye(3)
+    for run in range(4):
+        each = [e[k, :, run] @ np.linalg.inv(P[k]) @ e[k, :, run] for k in range(5)]
+        assert nis(e, P)[:, run] == pytest.approx(each)
+        assert nees(e + 1, np.ones_like(e), P)[:, run] == pytest.approx(each)
+        assert nis(e[:, :, run], P) == pytest.approx(each)
+
+
 def test_a_true_model_is_consistent_and_a_wrong_one_is_not():
     rng = np.random.default_rng(7)
     truth = LinearModel(F=[[1, 0.5], [0, 1]], H=[[1, 0]], Q=0.1 * np.eye(2), R=0.05, x0=[0, 5], P0=np.diag([0.01, 1]))

@@ -12,7 +12,7 @@ import pytest
 from openpyxl import load_workbook
 
 from kalman_lib import kalman_filter, rmse, rts_smooth, widgets
-from kalman_lib.papers import smoother, theory
+from kalman_lib.papers import gyro, smoother, theory
 
 LANGUAGES = ("id", "en")
 
@@ -423,3 +423,92 @@ def test_maximum_likelihood_of_steady_data_stays_in_the_range_of_the_fields(seed
     p = form.result[0]
     assert p.Q >= 1e-12 and p.R == pytest.approx(1e-4, rel=0.5)
     assert form.message.value == "" and form.result[3][-1] == pytest.approx(5, abs=0.01)
+
+
+# --- chapter 3: the gyroscope ----------------------------------------------------------------------------------------
+
+def gyro_run(seed=widgets.SEED, **changes):
+    p = replace(gyro.Params(), **changes)
+    flight = gyro.simulate(p, np.random.default_rng(seed))
+    return flight, kalman_filter(gyro.model(p), flight.z, flight.u)
+
+
+def outcome(board):
+    """The numbers of the sentence: largest errors, RMSE of sensor and filter, share inside."""
+    return [float(word.replace(",", ".")) for word in re.findall(r"\d+(?:[.,]\d+)?", board.sentence.value.split(">", 1)[1])]
+
+
+def test_the_gyro_is_live_in_jupyter_and_static_in_the_book(monkeypatch):
+    shown = []
+    monkeypatch.setattr(widgets, "display", lambda data, raw: shown.append((data, raw)))
+    assert widgets.gyro() is None
+    (data, raw), = shown
+    assert raw and "application/vnd.jupyter.widget-view+json" in data
+    png = base64.b64decode(re.search(r'paper="gyro"><img alt="" src="data:image/png;base64,(.*?)">', data["text/html"])[1])
+    assert png.startswith(b"\x89PNG") and 3_000 < len(png) < 60_000
+
+
+def test_the_gyro_tells_the_filter_s_own_numbers():
+    board = widgets.GyroFlight()
+    for name, typed in dict(duration="8", T="0,05", sigma_w="2.5", sigma_v="0,3").items():
+        getattr(board, name).value = typed
+    flight, result = gyro_run(duration=8, T=0.05, sigma_w=2.5, sigma_v=0.3)
+    errors = np.abs(flight.x - flight.z), np.abs(flight.x - result.x)
+    expected = [error.max() for error in errors] + [np.sqrt(np.mean(error ** 2)) for error in errors]
+    expected += [100 * np.mean(errors[1][:, 0] <= 2 * np.sqrt(result.P[:, 0, 0]))]
+    assert outcome(board)[:4] == [float(f"{value:.3g}") for value in expected[:4]]
+    assert float(f"{expected[4]:.3g}") in outcome(board) and board.message.value == ""
+    cells = re.findall(r"<td>(.*?)</td>", board.table.value)
+    assert cells[:4] == [f"{value:.4g}" for value in (result.K[0, 0, 0], result.K[-1, 0, 0], result.P[0, 0, 0], result.P[-1, 0, 0])]
+    assert np.array_equal(board.rows[0]["x"], result.x[:, 0])
+
+
+def test_new_noise_and_the_paper_s_figures():
+    board = widgets.GyroFlight()
+    before = board.sentence.value, board.angle.value, board.errors.value
+    board.noise.click()
+    assert all(now != then for now, then in zip((board.sentence.value, board.angle.value, board.errors.value), before))
+    flight, result = gyro_run(seed=widgets.SEED + 1)
+    assert outcome(board)[:2] == [float(f"{value:.3g}") for value in gyro.maxima(flight, result)]
+    board.T.value = "0.5"
+    for figure, (sigma_w, sigma_v) in gyro.CASES.items():
+        board.figures[figure].click()
+        assert [float(getattr(board, name).value) for name in board.FIELDS] == [20, 0.1, sigma_w, sigma_v]
+        flight, result = gyro_run(seed=widgets.SEED + 1, sigma_w=sigma_w, sigma_v=sigma_v)
+        assert outcome(board)[:2] == [float(f"{value:.3g}") for value in gyro.maxima(flight, result)]
+
+
+@pytest.mark.parametrize("name, typed", [("T", "0"), ("sigma_v", "nan"), ("sigma_w", "abc"), ("duration", "1e9")])
+def test_a_bad_setting_of_the_gyro_says_so_and_keeps_the_result(name, typed):
+    board = widgets.GyroFlight()
+    before = board.sentence.value
+    getattr(board, name).value = typed
+    said = board.message.value
+    assert said and board.sentence.value == before
+    board.language.value = "en"
+    assert board.message.value and board.message.value != said
+    getattr(board, name).value = "1"
+    assert board.message.value == ""
+
+
+@pytest.mark.parametrize("changes", [dict(duration="60", T="0.01"), dict(duration="1", T="1"),
+                                     dict(sigma_w="0.0001", sigma_v="100"), dict(sigma_w="100", sigma_v="0.0001")])
+def test_the_gyro_at_the_ends_of_its_sliders(changes):
+    board = widgets.GyroFlight()
+    for name, typed in changes.items():
+        getattr(board, name).value = typed
+    assert board.message.value == "" and "nan" not in board.sentence.value and len(board.rows[0]["t"]) <= widgets.PLOT_POINTS
+
+
+def test_the_gyro_speaks_one_language_at_a_time():
+    board = widgets.GyroFlight()
+    for language, other in (("en", "id"), ("id", "en")):
+        board.language.value = language
+        shown = text_of(board)
+        for key, word in board.words.items():
+            pieces = [piece for piece in re.split(r"\{\w+\}", word[other]) if len(piece.strip(" .:(),%m")) > 3]
+            for piece in pieces:
+                if not any(piece in mine[language] for mine in board.words.values()):
+                    assert piece not in shown, (key, piece)
+            assert word["id"] != word["en"] and all(word.values())
+            assert len({tuple(sorted(re.findall(r"\{\w+\}", word[each]))) for each in LANGUAGES}) == 1

@@ -1,0 +1,112 @@
+"""Chapter 3: an angle from a gyroscope and an angle sensor. Source: Wahyudi, Susanto, Pramono and Widada, Figures 4-7."""
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..models import LinearModel
+from ..simulate import Trajectory
+from ..simulate import simulate as simulate_model
+from . import check, param
+
+# The paper's four figures: (sigma_w rad/s, sigma_v rad), and the largest |measurement error| and |estimation error|
+# (rad) that its text reads off them, as printed (decimal point for the comma)
+CASES = {4: (10, 10), 5: (10, 1), 6: (1, 10), 7: (1, 1)}
+PRINTED = {4: "28 6", 5: "3.2 2.3", 6: "23 2", 7: "3 0.8"}
+
+
+@dataclass(frozen=True)
+class Params:
+    duration: float = param(20, min=1, max=60, step=0.1, unit="s", id="durasi", en="duration", log=True)
+    T: float = param(0.1, min=0.01, max=1, step=0.1, unit="s", id="periode cuplik", en="sampling period", log=True)
+    sigma_w: float = param(10, min=1e-4, max=100, step=0.1, unit="rad/s", log=True,
+                           id="simpangan baku derau proses", en="standard deviation of the process noise")
+    sigma_v: float = param(10, min=1e-4, max=100, step=0.1, unit="rad", log=True,
+                           id="simpangan baku derau pengukuran", en="standard deviation of the measurement noise")
+    u: float = param(1, min=-10, max=10, step=0.1, unit="rad/s", id="kecepatan sudut", en="angular rate")
+
+
+def model(p):
+    """x = x + T u + w, z = x + v: angle x and measured angle z in rad, rate u in rad/s; Q = sigma_w^2 T^2, R = sigma_v^2.
+
+    The first angle is known: x0 = 0, P0 = 0. So the first P_pred is Q, where the paper's program starts.
+    """
+    check(p)
+    return LinearModel(F=1, B=p.T, H=1, Q=(p.sigma_w * p.T) ** 2, R=p.sigma_v ** 2, x0=0, P0=0)
+
+
+def times(p):
+    """t (T,) s, the end of every step: T, 2 T, ... up to the duration."""
+    return p.T * np.arange(1, round(p.duration / p.T) + 1)
+
+
+def simulate(p, rng, runs=None):
+    """A synthetic turn at the constant rate u -> Trajectory; with runs, as many of them: x, z (T, 1, runs)."""
+    m, steps = model(p), len(times(p))
+    u = np.full((steps, 1), p.u)
+    if runs is None:
+        return simulate_model(m, steps, rng, u)
+    w, v = rng.normal(size=(2, steps, 1, runs))
+    x = np.cumsum(p.T * p.u + np.sqrt(m.Q[0, 0]) * w, axis=0)
+    return Trajectory(x, x + p.sigma_v * v, u)
+
+
+def layout(p, flight, result):
+    """The two panels of the paper's figures, angle and errors, as the rows that plots.panels draws."""
+    t, x, z, truth = times(p), result.x[:, 0], flight.z[:, 0], flight.x[:, 0]
+    return [dict(t=t, z=z, x=x, truth=truth, ylabel="rad"),
+            dict(t=t, z=truth - z, x=truth - x, ylabel="rad",
+                 names={"z": r"$x_{\mathrm{true}} - z$", "x": r"$e = x_{\mathrm{true}} - x$"})]
+
+
+# --- the largest error of a run ----------------------------------------------------------------------------------------
+
+def maxima(flight, result):
+    """Largest |x_true - z| and |x_true - x| of every run: (2,) of one run, (2, runs) of many; rad."""
+    return np.array([np.abs(flight.x - other).max(axis=0)[0] for other in (flight.z, result.x)])
+
+
+def ranks(largest):
+    """Share of the simulated runs whose maxima stay below the printed ones: largest is figure -> (2, runs) -> (2,)."""
+    return {figure: np.mean(sample < np.array(PRINTED[figure].split(), dtype=float)[:, np.newaxis], axis=1)
+            for figure, sample in largest.items()}
+
+
+def table(own, largest):
+    """For each printed maximum: the one of our figure, the 95 % interval of all runs, the rank, and a mark.
+
+    ✓ inside the 95 % interval, (✓) only inside the 99 % interval, ✗ outside both. own: figure -> (2,), largest:
+    figure -> (2, runs).
+    """
+    lines = [f"{'printed':>11}{'ours':>6}{'95 %':>10}{'rank':>9}"]
+    for figure, rank in ranks(largest).items():
+        for letter, printed, ours, sample, r in zip("zx", PRINTED[figure].split(), own[figure], largest[figure], rank):
+            low, high = np.quantile(sample, (0.025, 0.975))
+            mark = "✓" if 0.025 <= r <= 0.975 else "(✓)" if 0.005 <= r <= 0.995 else "✗"
+            lines.append(f"{figure} {letter}{printed:>7}{ours:>7.1f}{low:>7.1f}{high:>5.1f}{r:>7.1%} {mark}")
+    return "\n".join(lines)
+
+
+# --- once the filter has settled ---------------------------------------------------------------------------------------
+
+def steady(p):
+    """The gain K at which the filter settles and the standard deviation sqrt(K R) of its error, rad.
+
+    K is the positive root of K^2 + q K - q = 0 with q = Q / R.
+    """
+    q = (p.sigma_w * p.T / p.sigma_v) ** 2
+    K = 2 / (1 + np.sqrt(1 + 4 / q))
+    return K, np.sqrt(K) * p.sigma_v
+
+
+def error_with_gain(p, K):
+    """Standard deviation (rad) of the settled error if the gain is K, whatever the filter believes.
+
+    e' = (1 - K)(e + w) - K v, so its variance is ((1 - K)^2 Q + K^2 R) / (1 - (1 - K)^2).
+    """
+    m = model(p)
+    return np.sqrt(((1 - K) ** 2 * m.Q[0, 0] + K ** 2 * m.R[0, 0]) / (1 - (1 - K) ** 2))
+
+
+def drift(p, rng, runs):
+    """The error of the gyroscope alone: the sum of its noise, (T, runs), rad. Its standard deviation is sigma_w sqrt(T t)."""
+    return np.cumsum(p.T * p.sigma_w * rng.normal(size=(len(times(p)), runs)), axis=0)
