@@ -187,6 +187,23 @@ def ellipses(states, z=None, R=None, xlabel="$p$ (m)", ylabel="$v$ (m/s)", heigh
     return figure
 
 
+def plane(states, lines, points, xlabel, ylabel, height=3.4, limits=None):
+    """Covariance ellipses (2 sigma) as in `ellipses`, with curves and single marks in the same plane.
+
+    lines is a dict label -> (x, y), the first drawn as the truth, the second as a prediction; points a dict
+    label -> (x, y); an empty label stays out of the legend.
+    """
+    figure = ellipses(states, xlabel=xlabel, ylabel=ylabel, height=height, limits=limits)
+    with style.context(STYLE):
+        ax = figure.axes[0]
+        for (label, (x, y)), look in zip(lines.items(), (TRUTH, PREDICTION)):
+            ax.plot(x, y, label=label, zorder=1.5, **look)
+        for (label, (x, y)), mark in zip(points.items(), "*sD^v"):
+            ax.plot(x, y, mark, color=TRUTH["color"], markersize=13, markeredgecolor="#fdfcf9", label=label, zorder=5)
+        _legend(ax)
+    return figure
+
+
 def covariance_ellipse(x, P, sigmas=2):
     """The matplotlib Ellipse around x (2,) whose half-axes are `sigmas` standard deviations of P (2, 2)."""
     variances, axes = np.linalg.eigh(P)

@@ -1,7 +1,7 @@
 """The live parts of the notebooks: sliders, buttons and tables that answer at once. Alone imports ipywidgets.
 
-`theory_steps()`, `smoother_form()`, `smoother_online()` and `gyro()` each show one widget. Every widget is a Board: it speaks
-both languages, and an error inside it becomes a sentence on its message line instead of vanishing.
+Every public function shows one widget. Every widget is a Board: it speaks both languages, and an error inside it
+becomes a sentence on its message line instead of vanishing.
 """
 import base64
 import io
@@ -17,8 +17,10 @@ from matplotlib.image import imsave
 
 from . import plots
 from .filters import kalman_filter, predict, update
-from .metrics import rmse
-from .papers import describe, gyro as gyro_paper, smoother, theory
+from .metrics import chi2_bounds, nis, rmse
+from .papers import beetle as beetle_paper
+from .papers import describe, smoother, theory
+from .papers import gyro as gyro_paper
 from .spreadsheet import InputError, read_file, read_text, write_workbook
 
 SEED = 2                    # of every synthetic measurement in this room
@@ -53,6 +55,12 @@ def gyro(p=None):
     """Chapter 3: the paper's simulation with sliders for its four inputs. p is a gyro.Params or None."""
     board = GyroFlight(p)
     show(board.view, "gyro", plots.panels(board.rows, xlabel="$t$ (s)", height=1.9))
+
+
+def beetle(p=None):
+    """Chapter 5: the beetle's R, time step, and true and believed direction and speed. p is a beetle.Params or None."""
+    board = Beetle(p)
+    show(board.view, "beetle", board.figure)
 
 
 def show(widget, paper, figure):
@@ -877,3 +885,137 @@ class GyroFlight(Board):
         self.table.value = _table(["", self.say("first"), self.say("last")],
                                   [f"<th scope='row'>{name}</th><td>{_short(values[0])}</td><td>{_short(values[-1])}</td>"
                                    for name, values in rows.items()])
+
+
+# --- chapter 5 -------------------------------------------------------------------------------------------------------
+
+class Beetle(Board):
+    """The EKF on a synthetic walk of 20 s: what it learns about the distance, and what it cannot learn."""
+    SECONDS = 20
+    SLIDERS = {"dt": "Δt", "theta": "θ", "v": "v", "theta0": "θ₀", "v0": "v₀"}
+    words = {
+        "printed": {"id": "R dari sumber (cm²)", "en": "R of the source (cm²)"},
+        "noise": {"id": "Derau baru", "en": "New noise"},
+        "reset": {"id": "Ulang dari awal", "en": "Start again"},
+        "distance": {"id": "Jarak menurut pengukuran, filter (dengan pita), dan yang sebenarnya:",
+                     "en": "Distance: measured, filtered (with band), and true:"},
+        "uncertainty": {"id": "Simpangan baku menurut filter, dibagi nilai awalnya (s = v cos θ):",
+                        "en": "Standard deviations the filter states, divided by their start (s = v cos θ):"},
+        "result": {"id": "Sesudah {t} s filter menyatakan d = {d} cm dan s = {s} cm/s (sebenarnya {d_true} dan {s_true}). "
+                         "Untuk θ ia menyatakan {theta} rad dan untuk v {v} cm/s (sebenarnya {theta_true} dan "
+                         "{v_true}); menurutnya, dari simpangan baku awalnya tersisa {left_theta} % dan {left_v} %, "
+                         "sedangkan untuk s {left_s} %. "
+                         "Simpangan baku sensornya {sensor} cm; RMSE jarak hasil filter {rmse} cm.",
+                   "en": "After {t} s the filter states d = {d} cm and s = {s} cm/s (true: {d_true} and {s_true}). "
+                         "For θ it states {theta} rad and for v {v} cm/s (true: {theta_true} and {v_true}); it claims that "
+                         "of their initial standard deviations {left_theta} % and {left_v} % remain, of that of s {left_s} %. "
+                         "The sensor's standard deviation is {sensor} cm; the RMSE of the filtered distance is {rmse} cm."},
+        "high": {"id": "NIS rata-rata {nis}, di atas pita 95 %: filter terlalu yakin (R-nya terlalu kecil, atau tebakan "
+                       "awalnya lebih buruk daripada yang dikiranya).",
+                 "en": "Mean NIS {nis}, above the 95 % band: the filter is overconfident (its R is too small, or its "
+                       "initial guess worse than it thinks)."},
+        "low": {"id": "NIS rata-rata {nis}, di bawah pita 95 %: filter terlalu ragu (R-nya terlalu besar).",
+                "en": "Mean NIS {nis}, below the 95 % band: the filter is too doubtful (its R is too large)."},
+        "fits": {"id": "NIS rata-rata {nis}, di dalam pita 95 %: inovasinya sesuai dengan R itu.",
+                 "en": "Mean NIS {nis}, inside the 95 % band: the innovations fit that R."},
+        "origin": {"id": "Jalannya kumbang sintetis (benih acak {seed}).", "en": "The walk is synthetic (random seed {seed})."},
+    }
+
+    def __init__(self, p=None):
+        super().__init__()
+        self.p, self.seed = p or beetle_paper.Params(), SEED
+        meta = describe(beetle_paper.Params)
+        self.R, row_R = self.log_field("R", meta["R"], self.p.R)
+        self.printed = widgets.ToggleButtons(options=[(f"{R:g}", R) for R in sorted(beetle_paper.PRINTED_R)], value=None,
+                                             style={"button_width": "auto"})
+        self.sliders = {name: widgets.FloatSlider(getattr(self.p, name), min=meta[name]["min"], max=meta[name]["max"],
+                                                  step=meta[name]["step"], readout_format=".2f", continuous_update=False,
+                                                  layout=widgets.Layout(width="17em")) for name in self.SLIDERS}
+        self.words = {**self.words, **{name: {language: f"{sign}, {meta[name][language]} ({meta[name]['unit']})"
+                                              for language in ("id", "en")} for name, sign in self.SLIDERS.items()}}
+        self.noise, self.restart = (_wide(self.label(widgets.Button(), key)) for key in ("noise", "reset"))
+        self.sentence = widgets.HTML(layout=widgets.Layout(width="98%", min_height="6em"))
+        self.plot, self.spread = Screen(), Screen()
+        self.figure = None
+
+        def under(key, part):
+            return widgets.VBox([self.label(widgets.Label(), key, "value"), part])
+
+        self.view = widgets.VBox([
+            self.language,
+            _row(under("printed", self.printed), row_R),
+            _row(*(under(name, slider) for name, slider in self.sliders.items())),
+            _row(self.noise, self.restart),
+            self.message, self.sentence,
+            _row(*(widgets.VBox([self.label(widgets.HTML(), key, "value"), screen],
+                                layout=widgets.Layout(flex="1 1 320px"))
+                   for key, screen in (("distance", self.plot), ("uncertainty", self.spread)))),
+        ], layout=widgets.Layout(width="98%"))
+        self.on(self.printed, self.choose)
+        self.on(self.noise, self.renew)
+        self.on(self.restart, self.reset)
+        for part in (self.R, *self.sliders.values()):
+            self.on(part, self.calculate)
+        self.calculate()
+
+    def choose(self):
+        """One of the source's four values was pressed."""
+        if self.printed.value is not None:
+            self.R.value = f"{self.printed.value:g}"
+
+    def renew(self):
+        self.seed += 1
+        self.calculate()
+
+    def reset(self):
+        self.quiet, self.seed = True, SEED
+        self.R.value = f"{self.p.R:.12g}"
+        for name, slider in self.sliders.items():
+            slider.value = getattr(self.p, name)
+        self.quiet = False
+        self.calculate()
+
+    def calculate(self):
+        """Walk and filter with the current settings, then show everything."""
+        settings = {name: slider.value for name, slider in self.sliders.items()}
+        p = replace(self.p, R=number(self.R.value), **settings)
+        steps = round(self.SECONDS / p.dt)
+        model = beetle_paper.model(p)
+        walk = beetle_paper.simulate(p, np.random.default_rng(self.seed), steps)
+        result = kalman_filter(model, walk.z)
+        self.quiet = True
+        self.printed.value = p.R if p.R in beetle_paper.PRINTED_R else None
+        self.quiet = False
+        self.current = p, walk, result, self.shares(model, result)
+        t = p.dt * np.arange(1, steps + 1)
+        self.figure = plots.series(t, walk.z[:, 0], result.x[:, 0], np.sqrt(result.P[:, 0, 0]), walk.x[:, 0],
+                                   names={"x": "$d$", "truth": r"$d_{\mathrm{true}}$"}, xlabel="$t$ (s)", ylabel="cm")
+        self.figure.axes[0].set_xlim(0, 1.02 * self.SECONDS)
+        self.plot.draw(self.figure)
+        t = np.concatenate(([0], t))
+        signs = {"theta": r"$\sigma_\theta$", "v": r"$\sigma_v$", "s": r"$\sigma_s$"}
+        shares = {signs[name]: (t, share) for name, share in self.current[3].items()}
+        self.spread.draw(plots.curve(shares, "$t$ (s)", r"$\sigma\,/\,\sigma_0$", ylim=(0, 1.2), height=3.0))
+        self.redraw()
+
+    @staticmethod
+    def shares(model, result):
+        """Standard deviation of theta, v and s over time (T + 1,), divided by the initial one."""
+        x, P = np.vstack([model.x0, result.x]), np.concatenate([model.P0[np.newaxis], result.P])
+        sigmas = {"theta": np.sqrt(P[:, 1, 1]), "v": np.sqrt(P[:, 2, 2]), "s": beetle_paper.away_sigma(x, P)}
+        return {name: sigma / sigma[0] for name, sigma in sigmas.items()}
+
+    def redraw(self):
+        """Write the outcome in the current language."""
+        p, walk, result, shares = self.current
+        x, truth, mean = result.x[-1], walk.x[-1], float(np.nanmean(nis(result.y, result.S)))
+        low, high = chi2_bounds(1, runs=len(walk.z))
+        verdict = "high" if mean > high else "low" if mean < low else "fits"
+        values = dict(d=x[0], d_true=truth[0], s=beetle_paper.away(x), s_true=beetle_paper.away(truth), theta=x[1],
+                      theta_true=truth[1], v=x[2], v_true=truth[2], rmse=rmse(walk.x[:, 0], result.x[:, 0]),
+                      sensor=math.sqrt(p.R_true))
+        values = {name: self.decimal(value, 3) for name, value in values.items()}
+        left = {f"left_{name}": self.decimal(100 * share[-1], 3) for name, share in shares.items()}
+        sentences = [self.say("result", t=self.decimal(len(walk.z) * p.dt), **values, **left),
+                     self.say(verdict, nis=self.decimal(mean, 2)), self.say("origin", seed=self.seed)]
+        self.sentence.value = f'<p style="line-height:1.5">{" ".join(sentences)}</p>'

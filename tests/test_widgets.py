@@ -12,7 +12,7 @@ import pytest
 from openpyxl import load_workbook
 
 from kalman_lib import kalman_filter, rmse, rts_smooth, widgets
-from kalman_lib.papers import gyro, smoother, theory
+from kalman_lib.papers import beetle, gyro, smoother, theory
 
 LANGUAGES = ("id", "en")
 
@@ -512,3 +512,68 @@ def test_the_gyro_speaks_one_language_at_a_time():
                     assert piece not in shown, (key, piece)
             assert word["id"] != word["en"] and all(word.values())
             assert len({tuple(sorted(re.findall(r"\{\w+\}", word[each]))) for each in LANGUAGES}) == 1
+
+
+# --- chapter 5: the beetle -------------------------------------------------------------------------------------------
+
+def beetle_result(**changes):
+    p = replace(beetle.Params(), **changes)
+    walk = beetle.simulate(p, np.random.default_rng(widgets.SEED), round(20 / p.dt))
+    return p, walk, kalman_filter(beetle.model(p), walk.z)
+
+
+def test_beetle_is_one_output_live_in_jupyter_and_static_in_the_book(monkeypatch):
+    shown = []
+    monkeypatch.setattr(widgets, "display", lambda data, raw: shown.append(data))
+    assert widgets.beetle() is None
+    assert '<kalman-explorer paper="beetle"><img' in shown[0]["text/html"]
+    assert "application/vnd.jupyter.widget-view+json" in shown[0]
+
+
+@pytest.mark.parametrize("R", ["0.05", "0.001", "0.1", "0.08"])
+def test_beetle_offers_the_four_R_of_the_source(R):
+    board = widgets.Beetle()
+    board.printed.value = float(R)
+    assert board.R.value == R and board.current[0].R == float(R) and board.message.value == ""
+    assert board.current[2].x == pytest.approx(beetle_result(R=float(R))[2].x, rel=1e-12)
+    board.R.value = "0,2"
+    assert board.printed.value is None and board.current[0].R == 0.2
+
+
+@pytest.mark.parametrize("name, value", [("dt", 0.1), ("theta", -0.3), ("v", 1.5), ("theta0", 0.0), ("v0", 3.0)])
+def test_every_slider_of_the_beetle_reaches_the_filter_and_the_pictures(name, value):
+    board = widgets.Beetle()
+    before = board.plot.value, board.spread.value, board.sentence.value
+    board.sliders[name].value = value
+    p, walk, result = beetle_result(**{name: value})
+    assert board.current[0] == p and np.array_equal(board.current[2].x, result.x)
+    assert board.sentence.value != before[2] and board.plot.value != before[0]
+    assert f"{walk.x[-1, 0]:.3g}".replace(".", ",") in board.sentence.value
+    board.restart.click()
+    assert (board.plot.value, board.spread.value, board.sentence.value) == before
+
+
+def test_beetle_says_what_was_learnt_and_whether_R_fits():
+    board = widgets.Beetle(beetle.Params(theta0=0))
+    board.language.value = "en"
+    assert "For θ it states 0 rad" in board.sentence.value and "100 %" in board.sentence.value    # a guess of 0 never moves
+    for R, words in (("0.001", "above the 95 % band"), ("1", "below the 95 % band"), ("0.05", "inside the 95 % band")):
+        board.R.value = R
+        assert words in board.sentence.value
+    board.R.value = "x"
+    assert "is not a number" in board.message.value
+
+
+def test_beetle_new_noise_and_both_languages():
+    board = widgets.Beetle()
+    first = board.current[1].z
+    board.noise.click()
+    assert not np.array_equal(board.current[1].z, first) and f"benih acak {widgets.SEED + 1}" in board.sentence.value
+    seen = {}
+    for language in ("en", "id"):
+        board.language.value = language
+        seen[language] = text_of(board)
+    for key, word in board.words.items():
+        assert word["id"] != word["en"] and all(word[language].strip() for language in LANGUAGES), key
+        assert len({tuple(sorted(re.findall(r"\{\w+\}", word[language]))) for language in LANGUAGES}) == 1, key
+    assert "synthetic" not in seen["id"] and "sintetis" not in seen["en"] and "random seed" in seen["en"]
