@@ -1,4 +1,4 @@
-"""The widgets of chapters 1 and 2 in a real JupyterLab, in a real browser, used as a reader uses them."""
+"""The widgets of the chapters in a real JupyterLab, in a real browser, used as a reader uses them."""
 import csv
 import io
 import json
@@ -19,7 +19,7 @@ from kalman_lib import kalman_filter
 from kalman_lib.papers import smoother
 
 CELLS = ["from kalman_lib import widgets", "widgets.theory_steps()", "widgets.smoother_form()",
-         "widgets.smoother_online()"]
+         "widgets.smoother_online()", "widgets.gyro()", "widgets.beetle()"]
 PATIENCE = 60_000           # ms; every wait ends as soon as its condition holds
 
 
@@ -64,7 +64,7 @@ def lab(tmp_path_factory):
 @pytest.fixture(scope="module")
 def page(lab, chromium):
     """The notebook, open and run; afterwards: no request left the machine, nothing failed in the console."""
-    context = chromium.new_context(viewport={"width": 1200, "height": 2600}, accept_downloads=True)
+    context = chromium.new_context(viewport={"width": 1200, "height": 6000}, accept_downloads=True)
     page = context.new_page()
     page.set_default_timeout(PATIENCE)
     outside, errors = [], []
@@ -203,3 +203,17 @@ def test_one_measurement_at_a_time(page):
     page.wait_for_function("root => root.querySelector('tbody td').textContent >= 5", arg=online.element_handle())
     online.get_by_role("button", name="Kosongkan").click()
     online.get_by_text("Belum ada pengukuran").wait_for()
+
+
+@pytest.mark.parametrize("place, says, moved", [(3, "Galat pengukuran terbesar", "Kasus 7"), (4, "Sesudah 20 s", "0.001")])
+def test_new_noise_and_another_case_change_the_outcome(page, place, says, moved):
+    """Chapters 3 and 5: the sentence tells another outcome after "new noise" and after another case or R of the paper."""
+    output = page.locator(".jp-OutputArea-output").nth(place)
+    sentence = output.get_by_text(says).first
+    for button in ("Derau baru", moved):
+        before = sentence.inner_text()
+        output.get_by_role("button", name=button, exact=True).click()
+        page.wait_for_function("([root, says, before]) => [...root.querySelectorAll('p')].some("
+                               "p => p.innerText.includes(says) && p.innerText !== before)", arg=[output.element_handle(), says, before])
+    output.get_by_role("button", name="English").click()
+    output.get_by_role("button", name="New noise").wait_for()
