@@ -211,6 +211,32 @@ def covariance_ellipse(x, P, sigmas=2):
     return Ellipse(x, width, height, angle=np.degrees(np.arctan2(axes[1, 0], axes[0, 0])))
 
 
+def poles(sets, zoom=None, height=2.6):
+    """Poles in the complex plane with the unit circle: sets is a dict label -> (n,) complex numbers, at most five.
+
+    zoom ((low, high) real, (low, high) imaginary) adds a second view of that part beside the first.
+    """
+    marks = ((ESTIMATE, "o", 7), (RIVAL, "s", 6), (PREDICTION, "x", 8), (MEASUREMENT, "^", 7), (TRUTH, "+", 9))
+    with _figure(1, height, columns=1 if zoom is None else 2) as (figure, axes):
+        for k, ax in enumerate(np.atleast_1d(axes)):
+            turn = np.linspace(0, 2 * np.pi, 2000)
+            ax.plot(np.cos(turn), np.sin(turn), color="#6b7278", linewidth=1.0)
+            for (label, values), (look, mark, size) in zip(sets.items(), marks):
+                hollow = {} if mark in "x+" else {"markerfacecolor": "none"}
+                ax.plot(np.real(values), np.imag(values), mark, color=look["color"], markersize=size,
+                        markeredgewidth=1.7, label=label if k == 0 else None, clip_on=False, **hollow)
+            ax.set(xlabel=r"$\mathrm{Re}\,p$", ylabel=r"$\mathrm{Im}\,p$" if k == 0 else "")
+            if k == 0:
+                reach = 1.08 * max(1, *(np.abs(values).max() for values in sets.values()))
+                ax.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal")
+                _legend(ax)
+            else:
+                ax.set(xlim=zoom[0], ylim=zoom[1])
+                for line in ax.lines[1:]:
+                    line.set_clip_on(True)
+    return figure
+
+
 def surface(x, y, values, xlabel, ylabel, best=None, drop=(0.5, 2, 5, 10, 20, 50), height=3.4):
     """Contours of a log-likelihood, values (len(y), len(x)), as its loss against the best; the best pair as a mark."""
     with _figure(height=height) as (figure, ax):

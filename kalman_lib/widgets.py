@@ -16,11 +16,12 @@ from IPython.display import display
 from matplotlib.image import imsave
 
 from . import plots
-from .filters import kalman_filter, predict, update
+from .filters import kalman_filter, predict, rts_smooth, update
 from .metrics import chi2_bounds, nis, rmse
 from .papers import beetle as beetle_paper
 from .papers import describe, smoother, theory
 from .papers import gyro as gyro_paper
+from .papers import ship as ship_paper
 from .spreadsheet import InputError, read_file, read_text, write_workbook
 
 SEED = 2                    # of every synthetic measurement in this room
@@ -61,6 +62,12 @@ def beetle(p=None):
     """Chapter 5: the beetle's R, time step, and true and believed direction and speed. p is a beetle.Params or None."""
     board = Beetle(p)
     show(board.view, "beetle", board.figure)
+
+
+def ship(p=None):
+    """Chapter 4: the source's AR(2) filter on a towing run or on the reader's own file. p is a ship.Params or None."""
+    board = ShipRun(p)
+    show(board.view, "ship", board.figure)
 
 
 def show(widget, paper, figure):
@@ -1019,3 +1026,192 @@ class Beetle(Board):
         sentences = [self.say("result", t=self.decimal(len(walk.z) * p.dt), **values, **left),
                      self.say(verdict, nis=self.decimal(mean, 2)), self.say("origin", seed=self.seed)]
         self.sentence.value = f'<p style="line-height:1.5">{" ".join(sentences)}</p>'
+
+
+# --- chapter 4: the towing run ---------------------------------------------------------------------------------------
+
+def ship(p=None):
+    """Chapter 4: the source's AR(2) filter on a towing run or on the reader's own file. p is a ship.Params or None."""
+    board = ShipRun(p)
+    show(board.view, "ship", board.figure)
+
+
+class ShipRun(Board):
+    """Fit AR(2), filter, look: the synthetic towing run with any noise, or a reader's two columns time and speed."""
+    ROWS_TO_SMOOTH = 5000           # the smoother keeps matrices for every row
+    words = {
+        "source": {"id": "Data", "en": "Data"},
+        "synthetic": {"id": "uji tarik sintetis", "en": "synthetic towing run"},
+        "text": {"id": "kolom yang ditempel", "en": "pasted columns"},
+        "file": {"id": "berkas yang diunggah", "en": "uploaded file"},
+        "paste": {"id": "Tempelkan dua kolom di sini: waktu, lalu kecepatan.",
+                  "en": "Paste two columns here: time, then speed."},
+        "upload": {"id": "Unggah CSV atau Excel", "en": "Upload CSV or Excel"},
+        "no_file": {"id": "Belum ada berkas yang diunggah.", "en": "No file has been uploaded yet."},
+        "two": {"id": "Diperlukan dua kolom bilangan, waktu dan kecepatan; hanya satu yang ditemukan.",
+                "en": "Two columns of numbers are needed, time and speed; only one was found."},
+        "same": {"id": "Waktu dan kecepatan harus dua kolom yang berbeda.",
+                 "en": "Time and speed must be two different columns."},
+        "decimal": {"id": "Tanda desimal", "en": "Decimal sign"},
+        "auto": {"id": "kenali sendiri", "en": "find out"},
+        ",": {"id": "koma (1,5)", "en": "comma (1,5)"},
+        ".": {"id": "titik (1.5)", "en": "point (1.5)"},
+        "time": {"id": "Kolom waktu", "en": "Time column"},
+        "speed": {"id": "Kolom kecepatan", "en": "Speed column"},
+        "time_unit": {"id": "Satuan waktu", "en": "Unit of time"},
+        "speed_unit": {"id": "Satuan kecepatan", "en": "Unit of speed"},
+        "sigma": {"id": "Derau uji tarik sintetis (m/s)", "en": "Noise of the synthetic towing run (m/s)"},
+        "new": {"id": "Derau baru", "en": "New noise"},
+        "first": {"id": "mulai dari pengukuran pertama", "en": "start at the first measurement"},
+        "smooth": {"id": "penghalus (maju, lalu mundur)", "en": "smoother (forwards, then backwards)"},
+        "too_long": {"id": "Di sini penghalus hanya melayani paling banyak {n} baris.",
+                     "en": "Here the smoother handles at most {n} rows."},
+        "made": {"id": "Data sintetis, benih acak {seed}.", "en": "Synthetic data, random seed {seed}."},
+        "gaps": {"id": "{n} kecepatan kosong: di sana filter hanya memprediksi.",
+                 "en": "{n} speeds are missing: there the filter only predicts."},
+        "result": {"id": "Kuadrat terkecil: c = {c} m/s, a₁ = {a1}, a₂ = {a2}. Kutub: {poles}.",
+                   "en": "Least squares: c = {c} m/s, a₁ = {a1}, a₂ = {a2}. Poles: {poles}."},
+        "unstable": {"id": "Ada kutub di luar lingkaran: model ini tidak stabil.",
+                     "en": "A pole lies outside the circle: this model is unstable."},
+        "rmse": {"id": "RMSE: pengukuran {z} m/s, estimasi {x} m/s.", "en": "RMSE: measurements {z} m/s, estimate {x} m/s."},
+        "nis": {"id": "Rata-rata NIS = {nis} (seharusnya sekitar 1).", "en": "Mean NIS = {nis} (it should be about 1)."},
+    }
+
+    def __init__(self, p=None):
+        super().__init__()
+        self.p, self.seed = p or ship_paper.Params(), SEED
+        self.figure = self.result = self.data = self.columns = None
+        meta = describe(ship_paper.Params)
+        self.source = _wide(self.choices(self.label(widgets.Dropdown(), "source"), ["synthetic", "text", "file"]))
+        self.text = self.label(widgets.Textarea(rows=3, layout=widgets.Layout(width="100%")), "paste", "placeholder")
+        self.upload = _wide(self.label(widgets.FileUpload(accept=".csv,.txt,.tsv,.xlsx"), "upload"))
+        self.sign = _wide(self.choices(self.label(widgets.Dropdown(), "decimal"), ["auto", ",", "."]))
+        self.time, self.speed = (_wide(self.label(widgets.Dropdown(), key)) for key in ("time", "speed"))
+        self.time_unit, self.speed_unit = (
+            _wide(self.label(widgets.Dropdown(options=list(units)), key))
+            for key, units in (("time_unit", ship_paper.TIME_UNITS), ("speed_unit", ship_paper.SPEED_UNITS)))
+        self.sigma = widgets.FloatSlider(self.p.sigma, min=meta["sigma"]["min"], max=meta["sigma"]["max"],
+                                         step=meta["sigma"]["step"], layout=widgets.Layout(width="19em"))
+        self.new = _wide(self.label(widgets.Button(), "new"))
+        self.Q, row_Q = self.log_field("Q", meta["Q"], self.p.Q)
+        self.R, row_R = self.log_field("R", meta["R"], self.p.R)
+        self.first, self.smooth = (self.label(widgets.Checkbox(indent=False), key) for key in ("first", "smooth"))
+        self.note, self.sentence = (widgets.HTML(layout=widgets.Layout(width="98%")) for _ in range(2))
+        self.plot, self.circle = Screen(), Screen()
+        self.view = widgets.VBox([
+            self.language,
+            _row(self.source, widgets.VBox([self.label(widgets.Label(), "sigma", "value"), self.sigma]), self.new),
+            _row(self.upload, self.time_unit, self.speed_unit, self.sign, self.time, self.speed), self.text,
+            self.note, self.message,
+            _row(row_Q, row_R, widgets.VBox([self.first, self.smooth])),
+            self.sentence,
+            widgets.HBox([widgets.VBox([self.plot], layout=widgets.Layout(flex="1 1 380px")),
+                          widgets.VBox([self.circle], layout=widgets.Layout(flex="1 1 300px", max_width="420px"))],
+                         layout=widgets.Layout(flex_flow="row wrap", align_items="flex-start")),
+        ], layout=widgets.Layout(width="98%"))
+        for part in (self.source, self.sign):
+            self.on(part, self.load)
+        self.on(self.text, lambda: self.load("text"))
+        self.on(self.upload, lambda: self.load("file"))
+        self.on(self.sigma, lambda: self.load("synthetic"))
+        self.on(self.new, self.new_noise)
+        for part in (self.time, self.speed, self.time_unit, self.speed_unit):
+            self.on(part, self.choose)
+        for part in (self.Q, self.R, self.first, self.smooth):
+            self.on(part, self.calculate)
+        self.load()
+
+    def new_noise(self):
+        self.seed += 1
+        self.load("synthetic")
+
+    def load(self, source=None):
+        """Fetch the data of the source, then filter it. What cannot be read leaves everything as it was."""
+        self.quiet, self.source.value, self.quiet = True, source or self.source.value, False
+        if self.source.value == "synthetic":
+            t, run = ship_paper.towing_run(np.random.default_rng(self.seed), self.sigma.value)
+            made = {language: self.words["made"][language].format(seed=self.seed) for language in ("id", "en")}
+            if self.columns:            # back from a reader's file: the synthetic run starts at rest
+                self.quiet, self.first.value, self.quiet = True, False, False
+            self.columns = None
+            self.calculate((t, run.z[:, 0], run.x[:, 0], made))
+            return
+        sign = None if self.sign.value == "auto" else self.sign.value
+        if self.source.value == "file" and not self.upload.value:
+            raise InputError(self.words["no_file"]["en"], self.words["no_file"]["id"])
+        upload = self.upload.value[0] if self.source.value == "file" else None
+        table = read_file(upload["name"], bytes(upload["content"]), sign) if upload else read_text(self.text.value, sign)
+        if len(table.columns) < 2:
+            raise InputError(self.words["two"]["en"], self.words["two"]["id"])
+        self.quiet = True
+        names = list(table.columns)
+        for part, name in ((self.time, names[0]), (self.speed, names[1])):
+            part.options, part.value = names, name
+        self.first.value = True         # a stranger's run need not start at rest
+        self.quiet = False
+        self.columns, self.what = table.columns, {"id": table.note_id, "en": table.note_en}
+        self.choose()
+
+    def choose(self):
+        """Take the chosen columns in the chosen units; units do nothing to the synthetic run, which is in m/s."""
+        if not self.columns:
+            return
+        if self.time.value == self.speed.value:
+            raise InputError(self.words["same"]["en"], self.words["same"]["id"])
+        t = self.columns[self.time.value] * ship_paper.TIME_UNITS[self.time_unit.value]
+        z = self.columns[self.speed.value] * ship_paper.SPEED_UNITS[self.speed_unit.value]
+        self.calculate((t, z, None, self.what))
+
+    def calculate(self, data=None):
+        """Fit, filter and show the data (t, z, truth or None, what it is), or again those shown now."""
+        data = data or self.data
+        t, z, truth, _ = data
+        sampled = ship_paper.sampling(t)
+        Q, R = number(self.Q.value), number(self.R.value)
+        p = ship_paper.fitted(z, replace(self.p, Q=Q, Q_copy=Q, R=R))
+        if self.first.value:
+            p = replace(p, x0=float(z[np.isfinite(z)][0]), P0=R)
+        model = ship_paper.model(p)                 # refuses what is out of range
+        x, P, y, S = ship_paper.quick_filter(z, p)
+        if self.smooth.value:
+            if len(z) > self.ROWS_TO_SMOOTH:
+                raise InputError(*(self.words["too_long"][key].format(n=self.ROWS_TO_SMOOTH) for key in ("en", "id")))
+            result = rts_smooth(kalman_filter(model, z, u=np.ones(len(z))))
+            x, P = result.x[:, 0], result.P[:, 0, 0]
+        some = slice(None, None, -(-len(z) // PLOT_POINTS))
+        figure = plots.series(t[some], z[some], x[some], np.sqrt(P[some]), truth=None if truth is None else truth[some],
+                              names={"x": "$x_s$" if self.smooth.value else "$x$"}, xlabel="$t$ (s)", ylabel="m/s")
+        self.plot.draw(figure)
+        self.circle.draw(self.poles(p))
+        for part in (self.time, self.speed):
+            part.layout.display = None if self.columns else "none"
+        self.figure, self.data, self.result = figure, data, (p, x, nis(y[:, np.newaxis], S[:, np.newaxis, np.newaxis]), sampled)
+        self.redraw()
+
+    def poles(self, p):
+        """The poles as a Screen can draw them: it fixes the axes, so the limits must make the circle round."""
+        figure = plots.poles({"$p$": ship_paper.poles(p.a1, p.a2)}, height=3.4)
+        ax, width, height = figure.axes[0], 0.84 * figure.get_figwidth(), figure.get_figheight() - 0.80
+        ax.set(aspect="auto", xlim=np.array(ax.get_ylim()) * width / height)
+        ax.locator_params(axis="y", nbins=5)        # short numbers, which leave room for the label
+        return figure
+
+    def redraw(self):
+        """Write the result in the current language."""
+        if self.result is None:
+            return
+        (p, x, nis_values, sampled), (t, z, truth, what) = self.result, self.data
+        gaps = int(np.isnan(z).sum())
+        notes = [what[self.language.value], getattr(sampled, self.language.value)]
+        notes += [self.say("gaps", n=gaps)] if gaps else []
+        poles = ship_paper.poles(p.a1, p.a2)
+        if abs(poles[0].imag) > 0:
+            shown = f"{self.decimal(poles[0].real)} ± {self.decimal(abs(poles[0].imag))} i"
+        else:
+            shown = " ; ".join(self.decimal(pole.real) for pole in poles)
+        said = [self.say("result", c=self.decimal(p.c), a1=self.decimal(p.a1), a2=self.decimal(p.a2), poles=shown)]
+        said += [self.say("unstable")] if np.abs(poles).max() > 1 else []
+        said += [] if truth is None else [self.say("rmse", z=self.decimal(rmse(truth, z), 3), x=self.decimal(rmse(truth, x), 3))]
+        said += [self.say("nis", nis=self.decimal(np.nanmean(nis_values), 3))]
+        self.note.value, self.sentence.value = (
+            f'<p style="margin:0;line-height:1.5">{escape(" ".join(lines))}</p>' for lines in (notes, said))

@@ -19,7 +19,8 @@ from kalman_lib import kalman_filter
 from kalman_lib.papers import smoother
 
 CELLS = ["from kalman_lib import widgets", "widgets.theory_steps()", "widgets.smoother_form()",
-         "widgets.smoother_online()", "widgets.gyro()", "widgets.beetle()"]
+         "widgets.smoother_online()", "widgets.gyro()", "widgets.beetle()",
+         "widgets.ship()"]
 PATIENCE = 60_000           # ms; every wait ends as soon as its condition holds
 
 
@@ -205,13 +206,14 @@ def test_one_measurement_at_a_time(page):
     online.get_by_text("Belum ada pengukuran").wait_for()
 
 
-@pytest.mark.parametrize("place, says, moved", [(3, "Galat pengukuran terbesar", "Kasus 7"), (4, "Sesudah 20 s", "0.001")])
-def test_new_noise_and_another_case_change_the_outcome(page, place, says, moved):
-    """Chapters 3 and 5: the sentence tells another outcome after "new noise" and after another case or R of the paper."""
+@pytest.mark.parametrize("place, says, buttons", [
+    (3, "Galat pengukuran terbesar", ["Derau baru", "Kasus 7"]), (4, "Sesudah 20 s", ["Derau baru", "0.001"]),
+    (5, "RMSE: pengukuran", ["Derau baru"])])
+def test_a_button_changes_the_outcome(page, place, says, buttons):
+    """Chapters 3, 5 and 4: the sentence tells another outcome after "new noise", another case, another R of the paper."""
     output = page.locator(".jp-OutputArea-output").nth(place)
-    sentence = output.get_by_text(says).first
-    for button in ("Derau baru", moved):
-        before = sentence.inner_text()
+    for button in buttons:
+        before = output.get_by_text(says).first.inner_text()
         output.get_by_role("button", name=button, exact=True).click()
         page.wait_for_function("([root, says, before]) => [...root.querySelectorAll('p')].some("
                                "p => p.innerText.includes(says) && p.innerText !== before)", arg=[output.element_handle(), says, before])

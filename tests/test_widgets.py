@@ -12,7 +12,7 @@ import pytest
 from openpyxl import load_workbook
 
 from kalman_lib import kalman_filter, rmse, rts_smooth, widgets
-from kalman_lib.papers import beetle, gyro, smoother, theory
+from kalman_lib.papers import beetle, gyro, ship, smoother, theory
 
 LANGUAGES = ("id", "en")
 
@@ -577,3 +577,151 @@ def test_beetle_new_noise_and_both_languages():
         assert word["id"] != word["en"] and all(word[language].strip() for language in LANGUAGES), key
         assert len({tuple(sorted(re.findall(r"\{\w+\}", word[language]))) for language in LANGUAGES}) == 1, key
     assert "synthetic" not in seen["id"] and "sintetis" not in seen["en"] and "random seed" in seen["en"]
+
+
+# --- chapter 4: the towing run ---------------------------------------------------------------------------------------
+
+def drawn(board):
+    """(t, z, truth, what) and (Params, x, NIS, sampling) of what the widget shows."""
+    return board.data, board.result
+
+
+def pasted(t, z):
+    return "t;v\n" + "\n".join(f"{a:.10g};{b:.10g}" for a, b in zip(t, z))
+
+
+def test_the_ship_s_output_is_live_in_jupyter_and_static_in_the_book(monkeypatch):
+    shown = []
+    monkeypatch.setattr(widgets, "display", lambda data, raw: shown.append((data, raw)))
+    assert widgets.ship() is None
+    (data, raw), = shown
+    assert raw and "application/vnd.jupyter.widget-view+json" in data
+    match = re.fullmatch(r'<kalman-explorer paper="ship"><img alt="" src="data:image/png;base64,(.*?)"></kalman-explorer>',
+                         data["text/html"])
+    png = base64.b64decode(match[1])
+    assert png.startswith(b"\x89PNG") and 3_000 < len(png) < 60_000
+
+
+def test_the_ship_shows_the_source_s_filter_of_the_synthetic_run():
+    board = widgets.ShipRun()
+    t, run = ship.towing_run(np.random.default_rng(widgets.SEED))
+    p = ship.fitted(run.z[:, 0], ship.Params())
+    x = kalman_filter(ship.model(p), run.z, u=np.ones(len(run.z))).x[:, 0]
+    assert np.abs(drawn(board)[1][1] - x).max() < 1e-12
+    assert f"{p.a1:.4g}".replace(".", ",") in board.sentence.value and "tidak seragam" not in board.note.value
+    assert f"{rmse(run.x[:, 0], x):.3g}".replace(".", ",") in board.sentence.value
+
+
+def test_the_ship_s_sliders_and_buttons():
+    board = widgets.ShipRun()
+    before = drawn(board)
+    board.R.value = "0,1"
+    assert drawn(board)[1][0].R == 0.1 and drawn(board)[0][1] is before[0][1]
+    board.Q.value = "0.001"
+    assert drawn(board)[1][0].Q == drawn(board)[1][0].Q_copy == 0.001
+    board.sigma.value = 0.0
+    t, z, truth, _ = drawn(board)[0]
+    assert np.array_equal(z, truth) and abs(drawn(board)[1][0].a1 - 1.998) < 0.001
+    picture = board.circle.value
+    board.sigma.value = 0.2
+    assert board.circle.value != picture and np.std(drawn(board)[0][1] - truth) == pytest.approx(0.2, rel=0.15)
+    z = drawn(board)[0][1]
+    board.new.click()
+    assert (drawn(board)[0][1] != z).any() and str(widgets.SEED + 1) in board.note.value
+    board.first.value = True
+    assert drawn(board)[1][0].x0 == drawn(board)[0][1][0] and board.message.value == ""
+
+
+def test_the_ship_s_smoother_is_rts_smooth():
+    board = widgets.ShipRun()
+    board.smooth.value = True
+    (_, z, _, _), (p, x, _, _) = drawn(board)
+    assert np.array_equal(x, rts_smooth(kalman_filter(ship.model(p), z, u=np.ones(len(z)))).x[:, 0])
+
+
+def test_the_unit_circle_is_round_and_stays_so():
+    board = widgets.ShipRun()
+    board.new.click()                           # drawn over kept axes
+    fresh = widgets.Screen()
+    figure = board.poles(drawn(board)[1][0])
+    fresh.draw(figure)
+    assert board.circle.value == fresh.value
+    ax = figure.axes[0]
+    (left, bottom), (right, top) = ax.transData.transform([(-1, -1), (1, 1)])
+    assert right - left == pytest.approx(top - bottom, rel=1e-6) and ax.lines[0].get_xdata().max() == pytest.approx(1)
+
+
+def test_a_reader_s_towing_file_in_other_units():
+    t, run = ship.towing_run(np.random.default_rng(1))
+    knots = run.z[:, 0] / (1852 / 3600)
+    board = widgets.ShipRun()
+    board.time_unit.value, board.speed_unit.value = "ms", "kn"
+    upload(board, "run.csv", pasted(1000 * t, knots).replace(".", ",").encode())
+    shown = drawn(board)[0]
+    assert shown[0] == pytest.approx(t) and shown[1] == pytest.approx(run.z[:, 0]) and shown[2] is None
+    assert board.source.value == "file" and board.message.value == "" and board.first.value
+    assert "seragam, 0,1 s" in board.note.value and "RMSE" not in board.sentence.value
+    board.sigma.value = 0.05                    # back to the synthetic run, which starts at rest
+    assert board.source.value == "synthetic" and not board.first.value and drawn(board)[1][0].x0 == 0
+
+
+def test_uneven_sampling_is_told_in_one_sentence_in_both_languages():
+    t, run = ship.towing_run(np.random.default_rng(1))
+    keep = np.r_[0:100, 105:300]
+    board = widgets.ShipRun()
+    board.text.value = pasted(t[keep], run.z[keep, 0])
+    assert ship.sampling(t[keep]).id in board.note.value and "tidak seragam" in board.note.value
+    board.language.value = "en"
+    assert ship.sampling(t[keep]).en in board.note.value and "unevenly" in board.note.value
+
+
+@pytest.mark.parametrize("text, id, en", [
+    ("1\n2\n3\n4\n5\n6", "dua kolom", "Two columns"), ("t;v\n0;1\n1;2\n1;3\n2;4\n3;5", "tidak bertambah", "not increase"),
+    ("t;v\n" + "\n".join(f"{k};1" for k in range(9)), "tidak semuanya sama", "not all equal"), ("word", "bilangan", "numbers")])
+def test_a_towing_file_that_cannot_be_used_keeps_the_plot(text, id, en):
+    board = widgets.ShipRun()
+    before = board.plot.value, board.note.value, board.sentence.value
+    board.text.value = text
+    assert id in board.message.value and (board.plot.value, board.note.value, board.sentence.value) == before
+    board.language.value = "en"
+    assert en in board.message.value
+
+
+def test_choosing_among_several_columns_and_gaps():
+    t, run = ship.towing_run(np.random.default_rng(3))
+    lines = ["run;t;v"] + [f"7;{a:.1f};{'' if k == 40 else f'{b:.4f}'}" for k, (a, b) in enumerate(zip(t, run.z[:, 0]))]
+    board = widgets.ShipRun()
+    board.text.value = "\n".join(lines)
+    assert "tidak bertambah" in board.message.value             # the first two columns are the wrong ones
+    board.quiet, board.time.value, board.quiet = True, "t", False
+    board.speed.value = "v"
+    assert board.message.value == "" and np.isnan(drawn(board)[0][1][40]) and "1 kecepatan kosong" in board.note.value
+    board.speed.value = "t"
+    assert "berbeda" in board.message.value
+
+
+def test_the_ship_s_words_exist_in_both_languages_and_switching_leaves_none_of_the_other():
+    board = widgets.ShipRun()
+    t, run = ship.towing_run(np.random.default_rng(1))
+    for text in (None, pasted(np.delete(t, 50), np.delete(run.z[:, 0], 50)), "word"):
+        if text:
+            board.text.value = text
+        seen = {}
+        for board.language.value in LANGUAGES:
+            seen[board.language.value] = text_of(board)
+        for key, word in board.words.items():
+            for language, other in (("id", "en"), ("en", "id")):
+                assert word[language].strip() and (word["id"] != word["en"] or key == "source"), key
+                for piece in (piece for piece in re.split(r"\{\w+\}", word[other]) if len(piece.strip(" .:(),%m/s")) > 3):
+                    if not any(piece in mine[language] for mine in board.words.values()):
+                        assert piece not in seen[language], (key, language, piece)
+
+
+def test_a_long_towing_file_stays_quick_and_refuses_only_the_smoother():
+    z = np.random.default_rng(0).normal(size=20_000).cumsum()
+    board = widgets.ShipRun()
+    board.text.value = pasted(np.arange(20_000), z)
+    assert board.message.value == "" and len(drawn(board)[1][1]) == 20_000
+    assert len(board.figure.axes[0].lines[0].get_xdata()) <= widgets.PLOT_POINTS
+    board.smooth.value = True
+    assert "5000" in board.message.value
