@@ -162,6 +162,8 @@ def name_sections(app, doctree):
         used.add(slug)
         section["ids"] = [slug] + [old for old in section["ids"] if old != slug]
         doctree.ids[slug] = section
+        # a Markdown link page.ipynb#the-gain finds it, too, in both languages
+        app.env.metadata[app.env.docname].setdefault("myst_slugs", {})[slug] = (section.line, slug, section[0].astext())
 
 
 def add_language_links(app, pagename, templatename, context, doctree):
