@@ -126,7 +126,10 @@ def kalman_filter(model, z, u=None, adapt_R=None):
 
 
 def rts_smooth(result):
-    """Run back over a FilterResult so that every estimate knows the later measurements too -> SmootherResult."""
+    """Run back over a FilterResult of one run, so that every estimate knows the later measurements -> SmootherResult."""
+    if result.x.ndim != 2:
+        raise ValueError("rts_smooth takes one run, x of shape (T, n); smooth run by run. / "
+                         "rts_smooth menerima satu percobaan, x berukuran (T, n); haluskan satu per satu.")
     x, P = result.x.copy(), result.P.copy()
     T, n = x.shape
     G = np.empty((T - 1, n, n))
@@ -198,7 +201,8 @@ def _series(name, values, width=None, steps=None, runs=False):
     expected = ("T" if steps is None else steps, "l" if width is None else width)
     if array.ndim not in ((2, 3) if runs else (2,)) or array.size == 0 or array.shape[1] != (width or array.shape[1]) \
             or len(array) != (steps or len(array)):
-        raise ValueError(_shape_message(name, array.shape, f"({expected[0]}, {expected[1]})"))
+        wanted = f"({expected[0]}, {expected[1]})" + (f" or ({expected[0]}, {expected[1]}, runs)" if runs else "")
+        raise ValueError(_shape_message(name, array.shape, wanted))
     if np.isinf(array).any() or (name == "u" and np.isnan(array).any()):
         k = int(np.argwhere(~np.isfinite(array) if name == "u" else np.isinf(array))[0, 0])
         raise ValueError(f"{name}[{k}] is {array[k]}; expected finite numbers. / "

@@ -9,7 +9,8 @@ import numpy as np
 
 
 def rmse(x_true, x):
-    """Root mean square error over time: (T, n) against (T, n) -> (n,); (T,) against (T,) -> a number. Unit of x."""
+    """Root mean square error over time: (T, n) against (T, n) -> (n,); (T,) against (T,) -> a number;
+    (T, n, runs) against (T, n, runs) -> (n, runs). Unit of x."""
     x_true, x = np.asarray(x_true, dtype=float), np.asarray(x, dtype=float)
     if x_true.shape != x.shape:
         raise ValueError(f"x has shape {x.shape}, expected {x_true.shape} like x_true. / "

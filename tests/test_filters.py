@@ -259,3 +259,9 @@ def test_many_runs_need_shared_gains_and_no_gaps():
     z[2, 0, 1] = np.inf
     with pytest.raises(ValueError, match="finite"):
         kalman_filter(model, z)
+
+
+def test_many_runs_are_smoothed_run_by_run():
+    result = kalman_filter(random_model(np.random.default_rng(0), n=2, m=1), np.zeros((5, 1, 3)))
+    with pytest.raises(ValueError, match="rts_smooth takes one run"):
+        rts_smooth(result)

@@ -135,7 +135,7 @@ def test_invented_rows_hurt_a_recording_that_starts_in_motion():
 
 @pytest.mark.parametrize("z", [np.ones(50), [1.0, 2.0, 3.0], [], [np.nan] * 9])
 def test_a_fit_of_nothing_says_so(z):
-    with pytest.raises(ValueError, match="not all equal"):
+    with pytest.raises(ValueError, match="do not lie on a line"):
         ship.fit(z)
 
 
@@ -254,3 +254,8 @@ def test_a_time_column_that_cannot_be_one(t, said):
     with pytest.raises(ValueError, match=said) as error:
         ship.sampling(t)
     assert " / " in str(error.value)
+
+
+def test_a_model_that_overflows_has_no_likelihood():
+    z = np.r_[1.0, 2.0, np.full(400, np.nan), 1.0]
+    assert ship.log_likelihood(z, ship.Params(a1=50.0)) == -np.inf

@@ -382,7 +382,9 @@ def test_downloads_hold_one_language_and_the_outputs(language, site):
         assert any(cell.get("outputs") for cell in copy["cells"])
         assert "application/vnd.jupyter.widget-view+json" not in text
         assert not any("book" in cell["metadata"] for cell in copy["cells"])
-        assert "{cite}" not in text and {"id": "Welch dan Bishop, 2006", "en": "Welch and Bishop, 2006"}[language] in text
+        assert "{cite}" not in text
+        if "welch2006" in source.read_text(encoding="utf-8"):
+            assert {"id": "Welch dan Bishop, 2006", "en": "Welch and Bishop, 2006"}[language] in text
         assert "kalman_lib" in "".join(copy["cells"][1]["source"])      # says what it needs to run
     assert checked >= 3
 

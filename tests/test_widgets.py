@@ -677,7 +677,7 @@ def test_uneven_sampling_is_told_in_one_sentence_in_both_languages():
 
 @pytest.mark.parametrize("text, id, en", [
     ("1\n2\n3\n4\n5\n6", "dua kolom", "Two columns"), ("t;v\n0;1\n1;2\n1;3\n2;4\n3;5", "tidak bertambah", "not increase"),
-    ("t;v\n" + "\n".join(f"{k};1" for k in range(9)), "tidak semuanya sama", "not all equal"), ("word", "bilangan", "numbers")])
+    ("t;v\n" + "\n".join(f"{k};1" for k in range(9)), "satu garis lurus", "on a line"), ("word", "bilangan", "numbers")])
 def test_a_towing_file_that_cannot_be_used_keeps_the_plot(text, id, en):
     board = widgets.ShipRun()
     before = board.plot.value, board.note.value, board.sentence.value

@@ -35,7 +35,7 @@ def model(p):
 
 
 def times(p):
-    """t (T,) s, the end of every step: T, 2 T, ... up to the duration."""
+    """t (T,) s, the end of every step: T, 2 T, ... to the whole number of steps nearest to the duration."""
     return p.T * np.arange(1, round(p.duration / p.T) + 1)
 
 

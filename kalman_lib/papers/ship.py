@@ -75,7 +75,8 @@ def fit(z, invented_rows=False):
     """c, a1, a2 of z_k = c + a1 z_{k-1} + a2 z_{k-2}, by least squares over z (T,); rows with a gap are left out.
 
     invented_rows=True adds the source's first two rows, which put 0 where there was no measurement before.
-    ValueError: too few rows, or a speed that never changes.
+    ValueError: too few rows, or a speed so regular (constant, a straight line, one exponential) that the three are not
+    unique.
     """
     z = np.asarray(z, dtype=float)
     before = np.concatenate(([0.0, 0.0], z)) if invented_rows else z
@@ -84,8 +85,10 @@ def fit(z, invented_rows=False):
     rows = rows[np.isfinite(rows).all(axis=1)]
     theta, _, rank, _ = np.linalg.lstsq(rows[:, :3], rows[:, 3])
     if rank < 3:
-        raise ValueError("c, a1 and a2 need at least five speeds in a row that are not all equal. / "
-                         "c, a1, dan a2 memerlukan sedikitnya lima kecepatan berurutan yang tidak semuanya sama.")
+        raise ValueError("c, a1 and a2 need at least five speeds in a row that do not lie on a line or one "
+                         "exponential. / "
+                         "c, a1, dan a2 memerlukan sedikitnya lima kecepatan berurutan yang tidak "
+                         "terletak pada satu garis lurus atau satu eksponensial.")
     return theta
 
 
@@ -144,14 +147,21 @@ def quick_filter(z, p):
 def log_likelihood(z, p):
     """Log-likelihood of the measurements z (T,): the innovations are independent, y ~ N(0, S)."""
     _, _, y, S = quick_filter(z, p)
-    known = np.isfinite(y)
+    known = np.isfinite(z)
+    if not (np.isfinite(y[known]).all() and np.isfinite(S[known]).all()):
+        return -np.inf              # an unstable model that overflowed explains nothing
     return -np.sum(np.log(2 * np.pi * S[known]) + y[known] ** 2 / S[known]) / 2
+
+
+def _exp(logarithm):
+    """exp, kept where a search that strays can neither overflow nor reach zero."""
+    return math.exp(min(max(logarithm, -50), 50))
 
 
 def from_vector(v, p):
     """The Params p with (c, a1, a2, ln Q, ln R) replaced by v (5,), and a copy without noise, as in a true AR(2)."""
     c, a1, a2, log_Q, log_R = map(float, v)
-    return replace(p, c=c, a1=a1, a2=a2, Q=math.exp(min(log_Q, 50)), R=math.exp(min(log_R, 50)), Q_copy=0)
+    return replace(p, c=c, a1=a1, a2=a2, Q=_exp(log_Q), R=_exp(log_R), Q_copy=0)
 
 
 def cost(v, z, p):
@@ -182,7 +192,7 @@ class Sampling(NamedTuple):
 
 
 def sampling(t, tolerance=0.05):
-    """Are the times t (T,) in s evenly spaced? Steps that differ from the median by more than the tolerance are not.
+    """Are the times t (T,) in s evenly spaced? Steps that differ from the median by more than this fraction of it are not.
 
     ValueError: a time is missing, or it does not increase.
     """
