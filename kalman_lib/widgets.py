@@ -249,6 +249,45 @@ def _wide(part):
     return part
 
 
+class OwnData(Board):
+    """A board whose reader may bring data: a text field to paste into, a file upload, and the decimal sign.
+
+    A subclass has the Dropdown `source` with "text" and "file" among its choices, the words "text" and "paste", and
+    `load(source=None)`, which fetches what the source says.
+    """
+    words = {
+        "source": {"id": "Data", "en": "Data"},
+        "file": {"id": "berkas yang diunggah", "en": "uploaded file"},
+        "upload": {"id": "Unggah CSV atau Excel", "en": "Upload CSV or Excel"},
+        "decimal": {"id": "Tanda desimal", "en": "Decimal sign"},
+        "auto": {"id": "kenali sendiri", "en": "find out"},
+        ",": {"id": "koma (1,5)", "en": "comma (1,5)"},
+        ".": {"id": "titik (1.5)", "en": "point (1.5)"},
+        "no_file": {"id": "Belum ada berkas yang diunggah.", "en": "No file has been uploaded yet."},
+    }
+
+    def own_data_parts(self):
+        self.text = self.label(widgets.Textarea(rows=3, layout=widgets.Layout(width="100%")), "paste", "placeholder")
+        self.upload = _wide(self.label(widgets.FileUpload(accept=".csv,.txt,.tsv,.xlsx"), "upload"))
+        self.sign = _wide(self.choices(self.label(widgets.Dropdown(), "decimal"), ["auto", ",", "."]))
+
+    def load_own_data_on_change(self):
+        for part in (self.source, self.sign):
+            self.on(part, self.load)
+        self.on(self.text, lambda: self.load("text"))
+        self.on(self.upload, lambda: self.load("file"))
+
+    def read_own_data(self):
+        """The Table of the pasted text or of the uploaded file, whichever the source says."""
+        sign = None if self.sign.value == "auto" else self.sign.value
+        if self.source.value == "text":
+            return read_text(self.text.value, sign)
+        if not self.upload.value:
+            raise InputError(self.words["no_file"]["en"], self.words["no_file"]["id"])
+        upload = self.upload.value[0]
+        return read_file(upload["name"], bytes(upload["content"]), sign)
+
+
 # --- chapter 1 -------------------------------------------------------------------------------------------------------
 
 class TheorySteps(Board):
@@ -454,29 +493,22 @@ def _tex(a):
 
 # --- chapter 2: the form ---------------------------------------------------------------------------------------------
 
-class SmootherForm(Board):
+class SmootherForm(OwnData):
     """The paper's form: No / Measured / Filtered, driven by Q, R, x0, P0, with any data the reader brings."""
     LOOK_ALIKES = {"silkworm_room": dict(R=1e-3, window=3), "cutting_force": dict(R=1e-3, window=5),
                    "tank_level": dict(R=7.7e-4, window=2)}      # the paper's settings; Q is 1e-5
     words = {
-        "source": {"id": "Data", "en": "Data"},
+        **OwnData.words,
         "paper": {"id": "16 nilai dari makalah", "en": "the paper's 16 values"},
         "silkworm_room": {"id": "suhu ruang ulat sutra (sintetis)", "en": "temperature of a silkworm room (synthetic)"},
         "cutting_force": {"id": "gaya potong pelepah sawit (sintetis)", "en": "cutting force of oil-palm frond (synthetic)"},
         "tank_level": {"id": "muka air tangki ikan (sintetis)", "en": "water level of a fish tank (synthetic)"},
         "given": {"id": "data dari sel kode", "en": "data from the code cell"},
         "text": {"id": "kolom yang ditempel", "en": "pasted column"},
-        "file": {"id": "berkas yang diunggah", "en": "uploaded file"},
         "paste": {"id": "Tempelkan satu kolom bilangan di sini, misalnya dari Excel.",
                   "en": "Paste a column of numbers here, for example from Excel."},
-        "upload": {"id": "Unggah CSV atau Excel", "en": "Upload CSV or Excel"},
-        "decimal": {"id": "Tanda desimal", "en": "Decimal sign"},
-        "auto": {"id": "kenali sendiri", "en": "find out"},
-        ",": {"id": "koma (1,5)", "en": "comma (1,5)"},
-        ".": {"id": "titik (1.5)", "en": "point (1.5)"},
         "column": {"id": "Kolom", "en": "Column"},
         "shown": {"id": "N = {n}. Data yang ditampilkan: {what}", "en": "N = {n}. Data shown: {what}"},
-        "no_file": {"id": "Belum ada berkas yang diunggah.", "en": "No file has been uploaded yet."},
         "steady": {"id": "Rentang tunak (No)", "en": "Steady stretch (No)"},
         "take_R": {"id": "R dari rentang ini", "en": "R from this stretch"},
         "too_short": {"id": "Rentang itu berisi kurang dari dua nilai.", "en": "That stretch holds fewer than two values."},
@@ -507,9 +539,7 @@ class SmootherForm(Board):
         self.figure = self.result = None
         keys = ["paper", *self.LOOK_ALIKES, *([] if z is None else ["given"]), "text", "file"]
         self.source = _wide(self.choices(self.label(widgets.Dropdown(), "source"), keys))
-        self.text = self.label(widgets.Textarea(rows=3, layout=widgets.Layout(width="100%")), "paste", "placeholder")
-        self.upload = _wide(self.label(widgets.FileUpload(accept=".csv,.txt,.tsv,.xlsx"), "upload"))
-        self.sign = _wide(self.choices(self.label(widgets.Dropdown(), "decimal"), ["auto", ",", "."]))
+        self.own_data_parts()
         self.column = _wide(self.label(widgets.Dropdown(), "column"))
         meta = describe(smoother.Params)
         self.Q, row_Q = self.log_field("Q", meta["Q"], p.Q)
@@ -537,10 +567,7 @@ class SmootherForm(Board):
                          layout=widgets.Layout(flex_flow="row wrap", align_items="flex-start", grid_gap="8px")),
             _row(self.csv, self.xlsx, self.link),
         ], layout=widgets.Layout(width="98%"))
-        for part in (self.source, self.sign):
-            self.on(part, self.load)
-        self.on(self.text, lambda: self.load("text"))
-        self.on(self.upload, lambda: self.load("file"))
+        self.load_own_data_on_change()
         self.on(self.column, self.choose)
         for part in (self.Q, self.R, self.x0, self.P0, self.window):
             self.on(part, self.calculate)
@@ -563,12 +590,8 @@ class SmootherForm(Board):
         """Fetch the data of the source, then filter it. What cannot be read leaves everything as it was."""
         self.quiet, self.source.value, self.quiet = True, source or self.source.value, False
         source, truth = self.source.value, None
-        sign = None if self.sign.value == "auto" else self.sign.value
         if source in ("text", "file"):
-            if source == "file" and not self.upload.value:
-                raise InputError(self.words["no_file"]["en"], self.words["no_file"]["id"])
-            upload = self.upload.value[0] if source == "file" else None
-            table = read_file(upload["name"], bytes(upload["content"]), sign) if upload else read_text(self.text.value, sign)
+            table = self.read_own_data()
             columns, what = table.columns, {"id": table.note_id, "en": table.note_en}
         else:
             z, truth = self.built_in(source)
@@ -1036,26 +1059,19 @@ def ship(p=None):
     show(board.view, "ship", board.figure)
 
 
-class ShipRun(Board):
+class ShipRun(OwnData):
     """Fit AR(2), filter, look: the synthetic towing run with any noise, or a reader's two columns time and speed."""
     ROWS_TO_SMOOTH = 5000           # the smoother keeps matrices for every row
     words = {
-        "source": {"id": "Data", "en": "Data"},
+        **OwnData.words,
         "synthetic": {"id": "uji tarik sintetis", "en": "synthetic towing run"},
         "text": {"id": "kolom yang ditempel", "en": "pasted columns"},
-        "file": {"id": "berkas yang diunggah", "en": "uploaded file"},
         "paste": {"id": "Tempelkan dua kolom di sini: waktu, lalu kecepatan.",
                   "en": "Paste two columns here: time, then speed."},
-        "upload": {"id": "Unggah CSV atau Excel", "en": "Upload CSV or Excel"},
-        "no_file": {"id": "Belum ada berkas yang diunggah.", "en": "No file has been uploaded yet."},
         "two": {"id": "Diperlukan dua kolom bilangan, waktu dan kecepatan; hanya satu yang ditemukan.",
                 "en": "Two columns of numbers are needed, time and speed; only one was found."},
         "same": {"id": "Waktu dan kecepatan harus dua kolom yang berbeda.",
                  "en": "Time and speed must be two different columns."},
-        "decimal": {"id": "Tanda desimal", "en": "Decimal sign"},
-        "auto": {"id": "kenali sendiri", "en": "find out"},
-        ",": {"id": "koma (1,5)", "en": "comma (1,5)"},
-        ".": {"id": "titik (1.5)", "en": "point (1.5)"},
         "time": {"id": "Kolom waktu", "en": "Time column"},
         "speed": {"id": "Kolom kecepatan", "en": "Speed column"},
         "time_unit": {"id": "Satuan waktu", "en": "Unit of time"},
@@ -1083,9 +1099,7 @@ class ShipRun(Board):
         self.figure = self.result = self.data = self.columns = None
         meta = describe(ship_paper.Params)
         self.source = _wide(self.choices(self.label(widgets.Dropdown(), "source"), ["synthetic", "text", "file"]))
-        self.text = self.label(widgets.Textarea(rows=3, layout=widgets.Layout(width="100%")), "paste", "placeholder")
-        self.upload = _wide(self.label(widgets.FileUpload(accept=".csv,.txt,.tsv,.xlsx"), "upload"))
-        self.sign = _wide(self.choices(self.label(widgets.Dropdown(), "decimal"), ["auto", ",", "."]))
+        self.own_data_parts()
         self.time, self.speed = (_wide(self.label(widgets.Dropdown(), key)) for key in ("time", "speed"))
         self.time_unit, self.speed_unit = (
             _wide(self.label(widgets.Dropdown(options=list(units)), key))
@@ -1109,10 +1123,7 @@ class ShipRun(Board):
                           widgets.VBox([self.circle], layout=widgets.Layout(flex="1 1 300px", max_width="420px"))],
                          layout=widgets.Layout(flex_flow="row wrap", align_items="flex-start")),
         ], layout=widgets.Layout(width="98%"))
-        for part in (self.source, self.sign):
-            self.on(part, self.load)
-        self.on(self.text, lambda: self.load("text"))
-        self.on(self.upload, lambda: self.load("file"))
+        self.load_own_data_on_change()
         self.on(self.sigma, lambda: self.load("synthetic"))
         self.on(self.new, self.new_noise)
         for part in (self.time, self.speed, self.time_unit, self.speed_unit):
@@ -1136,11 +1147,7 @@ class ShipRun(Board):
             self.columns = None
             self.calculate((t, run.z[:, 0], run.x[:, 0], made))
             return
-        sign = None if self.sign.value == "auto" else self.sign.value
-        if self.source.value == "file" and not self.upload.value:
-            raise InputError(self.words["no_file"]["en"], self.words["no_file"]["id"])
-        upload = self.upload.value[0] if self.source.value == "file" else None
-        table = read_file(upload["name"], bytes(upload["content"]), sign) if upload else read_text(self.text.value, sign)
+        table = self.read_own_data()
         if len(table.columns) < 2:
             raise InputError(self.words["two"]["en"], self.words["two"]["id"])
         self.quiet = True
