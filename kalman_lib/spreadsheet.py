@@ -1,7 +1,8 @@
 """Numbers in, workbooks out: reads a pasted text, a CSV or Excel file, and writes the paper's form, alive.
 
-The only room that knows openpyxl. `read_text` and `read_file` give a Table; `write_workbook` writes the form of
-Rudiyanto, Setiawan and Saptomo (2006) as an .xlsx without macros. Whatever cannot be understood raises InputError.
+The only room that knows openpyxl. `read_text` and `read_file` give a Table, `read_sheets` one for every sheet;
+`write_workbook` writes the form of Rudiyanto, Setiawan and Saptomo (2006) as an .xlsx without macros. Whatever cannot
+be understood raises InputError.
 """
 import csv
 import io
@@ -73,10 +74,19 @@ def read_file(name, content, decimal=None):
     if suffix == "xlsx" and content.startswith(b"PK"):
         grid, remark = _read_xlsx(content, name)
         return _table(grid, decimal, remark)
-    text = _decode(content) if suffix in ("csv", "txt", "tsv") else None
+    text = decode(content) if suffix in ("csv", "txt", "tsv") else None
     if text is None:
         raise _unreadable(name)
     return read_text(text, decimal)
+
+
+def read_sheets(name, content, skip=()):
+    """The bytes of an .xlsx file -> {title: Table} of its sheets that hold numbers, without those in skip.
+
+    InputError: no workbook, and whatever read_file refuses.
+    """
+    return {title: _table(grid, None, ("", "")) for title, grid, _ in _grids(content, name, skip)
+            if _has_numbers(grid)}
 
 
 def _unreadable(name):
@@ -84,7 +94,7 @@ def _unreadable(name):
                       f"{name[:60]!r} bukan berkas teks (.csv, .txt, .tsv) atau Excel .xlsx; simpanlah sebagai itu.")
 
 
-def _decode(content):
+def decode(content):
     """Bytes -> text: UTF-8, UTF-16 or Windows-1252; None if it is no text at all."""
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
         encodings = ["utf-16"]
@@ -103,21 +113,30 @@ def _decode(content):
 
 def _read_xlsx(content, name):
     """The bytes of a workbook -> (grid of its first sheet with numbers, (remark in English, in Indonesian))."""
+    for title, grid, sheets in _grids(content, name):
+        if _has_numbers(grid):
+            return grid, (f"; sheet: {title}", f"; lembar: {title}") if sheets > 1 else ("", "")
+    return [], ("", "")
+
+
+def _has_numbers(grid):
+    return any(_is_number(cell) for _, cells in grid for cell in cells)
+
+
+def _grids(content, name, skip=()):
+    """The bytes of a workbook -> one (title, grid, number of sheets) after the other."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")         # openpyxl warns of decorations that do not matter here
             results = load_workbook(io.BytesIO(content), read_only=True, data_only=True).worksheets
             formulas = load_workbook(io.BytesIO(content), read_only=True).worksheets
             for sheet, formula_sheet in zip(results, formulas):
-                grid = _sheet_grid(sheet, formula_sheet)
-                if any(_is_number(cell) for _, cells in grid for cell in cells):
-                    several = len(results) > 1
-                    return grid, (f"; sheet: {sheet.title}", f"; lembar: {sheet.title}") if several else ("", "")
+                if sheet.title not in skip:
+                    yield sheet.title, _sheet_grid(sheet, formula_sheet), len(results)
     except InputError:
         raise
     except Exception as error:                      # a damaged file can break openpyxl in many ways
         raise _unreadable(name) from error
-    return [], ("", "")
 
 
 def _sheet_grid(sheet, formula_sheet):
@@ -164,7 +183,7 @@ def _split(text, decimal):
     if decimal == ".":
         return commas, ("", "")
     line, cell = next((line, cell) for line, cells in whole for cell in cells if "," in cell)
-    if any(_value(cell, ",") is None for _, cells in whole for cell in cells):
+    if any(to_number(cell, ",") is None for _, cells in whole for cell in cells):
         raise InputError(f"Line {line}, {cell[:40]!r}: the comma may separate thousands or columns; add a header line, "
                          "use semicolons between columns, or choose the decimal sign.",
                          f"Baris {line}, {cell[:40]!r}: koma dapat memisahkan ribuan atau kolom; tambahkan baris "
@@ -206,7 +225,7 @@ def _is_gap(cell):
     return isinstance(cell, str) and cell.translate(MINUS).lower() in ("", "na", "n/a", "nan", "null", "-", "#n/a")
 
 
-def _value(cell, decimal):
+def to_number(cell, decimal):
     """The number in a cell, NaN for a gap, None for anything else."""
     if isinstance(cell, float):
         return cell
@@ -220,7 +239,7 @@ def _value(cell, decimal):
 
 def _is_number(cell):
     """Is it a number with decimal comma or point?"""
-    return not _is_gap(cell) and (_value(cell, ".") is not None or _value(cell, ",") is not None)
+    return not _is_gap(cell) and (to_number(cell, ".") is not None or to_number(cell, ",") is not None)
 
 
 def _table(grid, decimal, remark):
@@ -243,7 +262,7 @@ def _table(grid, decimal, remark):
     sign, sign_remark = _decimal_sign(grid[start:], decimal)
     numbers, skipped = {}, []
     for name, column in zip(_unique([column[0] if has_header else "" for column in columns]), columns):
-        values = [_value(cell, sign or ".") for cell in column[start:]]
+        values = [to_number(cell, sign or ".") for cell in column[start:]]
         if any(value is not None and value == value for value in values):
             numbers[name] = _checked(name, values, column[start:], lines)
         elif any(column):
@@ -292,7 +311,7 @@ def _decimal_sign(grid, decimal):
     for line, cells in grid:
         for cell in cells:
             if isinstance(cell, str) and ("," in cell or "." in cell):
-                readings = [sign for sign in ",." if _value(cell, sign) is not None]
+                readings = [sign for sign in ",." if to_number(cell, sign) is not None]
                 if len(readings) == 1:
                     proof.setdefault(readings[0], (line, cell))
                 elif readings:

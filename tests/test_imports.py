@@ -15,6 +15,7 @@ ALLOWED = {     # file -> what of our own it may import, and which packages; the
     "filters.py": ({"models"}, NUMERICS),
     "__init__.py": ({"models", "metrics", "simulate", "filters"}, set()),
     "spreadsheet.py": (set(), NUMERICS | {"openpyxl"}),
+    "recording.py": ({"spreadsheet"}, NUMERICS),
     "plots.py": ({"metrics", "models", "papers"}, NUMERICS | {"matplotlib", "PIL"}),
     "widgets.py": ({"models", "metrics", "simulate", "filters", "papers", "plots", "spreadsheet"},
                    NUMERICS | {"ipywidgets", "IPython", "matplotlib"}),
