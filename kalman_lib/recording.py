@@ -343,7 +343,7 @@ def _column(header):
 
 
 def _sensor(header):
-    """What a column belongs to: ("time", None), ("gyr", "x"), ...; ("unknown", "x"): its unit is not; or (None, None)."""
+    """What a column belongs to: ("time", None), ("gyr", "x"), ..., ("unknown", "x") if its unit is; or (None, None)."""
     stem, axis, unit = _column(header)
     measures = UNITS.get(unit, (None, 0))[0]
     if axis is None:
@@ -499,8 +499,8 @@ def _check_magnitudes(signals):
         line = gyr.lines[np.argmax(np.abs(gyr.values).max(axis=1))]
         raise InputError(f"{gyr.place}, line {line}: {fastest:.0f} rad/s is faster than any such sensor measures "
                          f"({MAX_RATE:.0f}); is the unit deg/s?",
-                         f"{gyr.place}, baris {line}: {fastest:.0f} rad/s lebih cepat daripada kemampuan sensor seperti "
-                         f"itu ({MAX_RATE:.0f}); apakah satuannya deg/s?")
+                         f"{gyr.place}, baris {line}: {fastest:.0f} rad/s melebihi kemampuan sensor seperti itu "
+                         f"({MAX_RATE:.0f}); apakah satuannya deg/s?")
     if not 6 < g < 14:
         raise InputError(f"{acc.place}: half of the accelerations are below {g:.2f} m/s2, but with gravity they lie "
                          "around 9.8; either gravity was taken out or the unit in the header is wrong.",
