@@ -32,8 +32,8 @@ AXES = {                                    # body axis = row times sensor axis
     "flu": np.diag([1, -1, -1]),            # forward-left-up, as the x-IMU
     "frd": np.eye(3, dtype=int),
 }
-AXES_NAMES = {"phone": ("a phone (x right, y to the top edge, z out of the screen)",
-                        "ponsel (x ke kanan, y ke tepi atas, z keluar dari layar)"),
+AXES_NAMES = {"phone": ("those of a phone (x right, y to the top edge, z out of the screen)",
+                        "sumbu ponsel (x ke kanan, y ke tepi atas, z keluar dari layar)"),
               "flu": ("forward-left-up", "depan-kiri-atas"), "frd": ("forward-right-down", "depan-kanan-bawah")}
 NAMES = {"gyr": ("gyroscope", "giroskop"), "acc": ("accelerometer", "akselerometer"),
          "linear": ("accelerometer without gravity", "akselerometer tanpa gravitasi"),
@@ -128,7 +128,11 @@ def read_recording(files, axes=None):
     _check_magnitudes(signals)
     if axes is None:
         axes = "frd" if signals["gyr"].source == "plain" else "phone"
-    _say(notes, f"Axes taken: those of {AXES_NAMES[axes][0]}.", f"Sumbu yang dipakai: {AXES_NAMES[axes][1]}.")
+        if axes == "frd" and signals["acc"].values[:10, 2].mean() > 5:
+            _say(notes, "az is positive at the start, so the device begins upside down; if its z points up, choose the "
+                 "axes flu or phone.", "az positif pada awalnya, jadi alat mulai dalam keadaan terbalik; jika sumbu z-nya "
+                 "ke atas, pilihlah sumbu flu atau phone.")
+    _say(notes, f"Axes taken: {AXES_NAMES[axes][0]}.", f"Sumbu yang dipakai: {AXES_NAMES[axes][1]}.")
     t, columns = _resample(signals, notes)
     gyr, acc, mag = (columns[kind] @ AXES[axes].T if kind in columns else None for kind in ("gyr", "acc", "mag"))
     if mag is None:
@@ -255,7 +259,13 @@ def _sheets(name, content):
     if text is None:
         raise InputError(f"{place}: not a .csv, .zip or .xlsx file; export the recording as one of these.",
                          f"{place}: bukan berkas .csv, .zip atau .xlsx; eksporlah rekaman sebagai salah satunya.")
-    return [_read_csv(place, text.removeprefix("\ufeff"))]
+    if "\r" in text:
+        text = text.replace("\r\n", "\n").replace("\r", "\n")
+    try:
+        return [_read_csv(place, text.removeprefix("\ufeff"))]
+    except csv.Error as error:
+        raise InputError(f"{place}: the text is no table ({error}).",
+                         f"{place}: teksnya bukan tabel ({error}).") from None
 
 
 def _read_csv(place, text):
@@ -281,7 +291,7 @@ def _read_csv(place, text):
     comma = separator != "," and "," in body
     plain = body.replace(",", ".") if comma else body
     try:
-        if comma and "." in body or '"' in body or "\n\n" in body or "\r\n\r\n" in body:
+        if comma and "." in body or '"' in body or "\n\n" in body:
             raise ValueError
         with io.TextIOWrapper(io.BytesIO(plain.encode()), encoding="utf-8") as file:
             values = np.loadtxt(file, delimiter=separator, ndmin=2, comments=None)
@@ -348,10 +358,10 @@ def _sensor(header):
     measures = UNITS.get(unit, (None, 0))[0]
     if axis is None:
         return ("time" if measures == "time" or stem in ("t", "time", "seconds_elapsed") else None), None
-    if stem == "":
-        return "logger", axis                       # Sensor Logger's bare x, y, z
     if measures in ("gyr", "acc", "mag"):
         return measures, axis
+    if stem == "":
+        return "logger", axis                       # Sensor Logger's bare x, y, z
     if MAG_WORD.search(stem):
         return "mag", axis
     return ("unknown", axis) if SENSOR_WORD.search(stem) else (None, None)
@@ -389,8 +399,12 @@ def _signals(sheet, notes):
         elif kind == "acc" and GRAVITY_WORD.search(stem):
             kind = "gravity"
         values = np.column_stack([sheet.values[:, columns[axis][0]] * columns[axis][1] for axis in "xyz"])
+        if columns["x"][1] != 1:
+            header, si = sheet.names[columns["x"][0]], "rad/s" if kind == "gyr" else "m/s2"
+            _say(notes, f"{sheet.place}: {header} and its like were converted to {si}.",
+                 f"{sheet.place}: {header} dan sejenisnya diubah ke {si}.")
         signals.append(Signal(kind, sheet.values[:, clock[0]] * clock[1], values, sheet.place, sheet.lines,
-                              "plain" if len(stem) <= 3 else "units"))      # g, gyr, a, acc, m, mag
+                              "plain" if stem in ("g", "gyr", "a", "acc", "m", "mag") else "units"))
     return signals
 
 
@@ -434,8 +448,9 @@ def _clean(signal, notes):
         raise InputError(f"{signal.place}, line {line}: a value of the {en} or its time is missing or infinite.",
                          f"{signal.place}, baris {line}: nilai {id} atau waktunya kosong atau tak hingga.")
     t, values, lines = signal.t[~empty], signal.values[~empty], signal.lines[~empty]
-    if len(t) < 2:
-        raise InputError(f"{signal.place}: the {en} has no measurements.", f"{signal.place}: {id} tanpa pengukuran.")
+    if len(t) < (least := 10 if signal.kind == "gyr" else 2):
+        raise InputError(f"{signal.place}: the {en} has only {len(t)} measurements; at least {least} are needed.",
+                         f"{signal.place}: {id} hanya memiliki {len(t)} pengukuran; diperlukan sedikitnya {least}.")
     if 0 < empty.sum() and empty[:len(t)].any():    # not only at the end
         _say(notes, f"{signal.place}: {empty.sum()} rows without a value of the {en} were left out.",
              f"{signal.place}: {empty.sum()} baris tanpa nilai {id} tidak dipakai.")

@@ -246,6 +246,17 @@ def test_shorter_columns_filled_with_NaN_are_only_shorter():
     assert not said(recording, "left out")
 
 
+def test_bare_axes_with_units_are_understood():
+    files = phyphox(TILTED)
+    want = read_recording(files)
+    for name, stem in (("Gyroscope.csv", "Gyroscope "), ("Accelerometer.csv", "Acceleration "),
+                       ("Magnetometer.csv", "Magnetic Field ")):
+        files[name] = files[name].replace(stem.encode(), b"")
+    recording = read_recording(files)
+    for key in ("gyr", "acc", "mag"):
+        np.testing.assert_array_equal(getattr(recording, key), getattr(want, key))
+
+
 def test_acceleration_without_gravity_is_refused_with_and_without_its_name():
     files = phyphox({})
     t = times(50)
@@ -348,10 +359,17 @@ def test_a_plain_file_in_its_units(gyro, factor, acceleration, scale):
     np.testing.assert_allclose(recording.acc, acc, rtol=1e-12)
     np.testing.assert_allclose(recording.mag, 7 * mag, rtol=1e-12)
     assert said(recording, "forward-right-down")
+    assert said(recording, "converted to rad/s") == (factor != 1)
+    assert said(recording, "converted to m/s2") == (scale != 1)
     other = read_recording({"own.csv": content}, axes="flu")
     np.testing.assert_allclose(other.gyr, gyr * [1, -1, -1], atol=1e-12)
     with pytest.raises(ValueError):
         read_recording({"own.csv": content}, axes="xyz")
+
+
+def test_a_plain_file_whose_z_points_up_is_told():
+    assert not said(read_recording(own()), "upside down")
+    assert said(read_recording({"own.csv": own()["own.csv"].replace(b"-9.8", b"9.8")}), "upside down")
 
 
 def test_time_in_milliseconds_from_an_epoch_and_without_a_unit():
@@ -388,6 +406,17 @@ def test_comments_blank_lines_other_columns_and_a_byte_order_mark():
     content = ["# my run", ""] + [f"{content[0]},remark"] + [f"{row},calm" for row in content[1:]]
     recording = read_recording({"own.csv": ("\ufeff" + "\r\n\r\n".join(content)).encode()})
     assert len(recording.t) == 200
+
+
+@pytest.mark.parametrize("end", [b"\r\n", b"\r"])
+def test_line_ends_of_other_systems(end):
+    assert len(read_recording({"own.csv": own()["own.csv"].replace(b"\n", end)}).t) == 200
+
+
+def test_decimal_commas_mixed_with_points_are_refused():
+    content = own()["own.csv"].replace(b",", b";").replace(b".", b",")
+    assert len(read_recording({"own.csv": content}).t) == 200
+    refused({"own.csv": content.replace(b"20,0", b"20.0", 1)}, "line 2", "'20.0'", "decimal comma")
 
 
 @pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16", "cp1252"])
@@ -485,6 +514,7 @@ def test_no_header_no_time_and_no_rows():
     rows = own()["own.csv"].split(b"\n", 1)
     refused({"own.csv": rows[1]}, "line 1", "names and units")
     refused({"own.csv": rows[0] + b"\n"}, "no row below")
+    refused({"own.csv": b"\n".join(own()["own.csv"].splitlines()[:5])}, "only 4 measurements")
     refused({"own.csv": rows[0].replace(b"t (s)", b"no") + b"\n" + rows[1]}, "no column of time")
 
 
