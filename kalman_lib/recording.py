@@ -130,8 +130,9 @@ def read_recording(files, axes=None):
         axes = "frd" if signals["gyr"].source == "plain" else "phone"
         if axes == "frd" and signals["acc"].values[:10, 2].mean() > 5:
             _say(notes, "az is positive at the start, so the device begins upside down; if its z points up, choose the "
-                 "axes flu or phone.", "az positif pada awalnya, jadi alat mulai dalam keadaan terbalik; jika sumbu z-nya "
-                 "ke atas, pilihlah sumbu flu atau phone.")
+                 "axes flu or phone.",
+                 "az positif pada awalnya, jadi alat mulai dalam keadaan terbalik; jika sumbu z-nya ke atas, pilihlah "
+                 "sumbu flu atau phone.")
     _say(notes, f"Axes taken: {AXES_NAMES[axes][0]}.", f"Sumbu yang dipakai: {AXES_NAMES[axes][1]}.")
     t, columns = _resample(signals, notes)
     gyr, acc, mag = (columns[kind] @ AXES[axes].T if kind in columns else None for kind in ("gyr", "acc", "mag"))
