@@ -307,6 +307,37 @@ def intervals(samples, xlabel, height=4.2):
     return figure
 
 
+def craft(moments, height=1.9):
+    """A craft with four rotors at several moments, seen from the south and from above (north is up, east to the right).
+
+    moments is a dict label -> (estimate, truth): roll, pitch and yaw (3,) in rad; truth may be None. The thick craft is
+    the estimate, the thin one the truth; the arrow is its nose.
+    """
+    circle = np.linspace(0, 2 * np.pi, 33)
+    ring = 0.38 * np.column_stack([np.cos(circle), np.sin(circle), 0 * circle])
+    tips = 0.75 * np.array([[1, 1, 0], [1, -1, 0], [-1, -1, 0], [-1, 1, 0]])
+    nose = np.array([[-0.2, 0, 0], [1.25, 0, 0], [1.0, 0.14, 0], [1.25, 0, 0], [1.0, -0.14, 0]])
+    shape = [nose, tips[[0, 2]], tips[[1, 3]], *(tip + ring for tip in tips)]
+    with _figure(height=height) as (figure, ax):
+        for place, (label, looks) in enumerate(moments.items()):
+            for angles, look in zip(looks, ({**ESTIMATE, "linewidth": 2.2}, TRUTH)):
+                for line in shape if angles is not None else ():
+                    north, east, down = _to_ned(line, angles).T
+                    ax.plot(east + 3.2 * place, 0.6 * north - 0.8 * down, solid_capstyle="round", **look)
+            ax.text(3.2 * place, -1.75, label, ha="center", va="bottom", fontsize="small")
+        ax.set(xlim=(-1.6, 3.2 * len(moments) - 1.6), ylim=(-1.8, 1.45), aspect="equal")
+        ax.axis("off")
+    return figure
+
+
+def _to_ned(v, angles):
+    """A vector v (N, 3) of the body's axes, seen north-east-down: turned by roll, then pitch, then yaw."""
+    (sr, sp, sy), (cr, cp, cy) = np.sin(angles), np.cos(angles)
+    return v @ np.array([[cp * cy, cp * sy, -sp],
+                         [sr * sp * cy - cr * sy, sr * sp * sy + cr * cy, sr * cp],
+                         [cr * sp * cy + sr * sy, cr * sp * sy - sr * cy, cr * cp]])
+
+
 def _rgb(colour):
     """#rrggbb -> three numbers from 0 to 1."""
     return tuple(int(colour[i:i + 2], 16) / 255 for i in (1, 3, 5))

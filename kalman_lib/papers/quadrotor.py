@@ -125,6 +125,10 @@ def euler_rates(gyr, roll, pitch, lib=np):
 
 # --- the filter --------------------------------------------------------------------------------------------------------
 
+# What the corrected filter does and the paper's does not, or does not say; Method.without leaves some of it out
+CORRECTIONS = ("formulas", "Euler rates", "midpoint", "wrapping", "estimated tilt", "rest mean", "rest variance")
+
+
 @dataclass(frozen=True)
 class Method:
     """How `attitude` filters: one set of numbers for every recording. Angles in rad.
@@ -134,8 +138,10 @@ class Method:
     q         strength of the process noise: of the rate (rad^2/s^3), or of the angle (rad^2/s) where the bias is kept
     R_min     (3,) R of roll, pitch and yaw is their variance at rest, but at least this: rest shows neither the
               accelerations nor the magnetic disturbances of a flight
-    printed   True: the paper's formulas to the letter: (1) and (2), body rates for Euler rates, nothing is wrapped,
-              R = variance of the angles over the whole recording
+    without   which of CORRECTIONS are left out: the formulas are then (1) and (2); the gyroscope's rates serve as those
+              of the angles, or those at the start of a step instead of its middle; innovations and angles are not
+              wrapped; the yaw is turned back by the accelerometer's tilt; the gyroscope's mean at rest is not taken off
+              its rates; R is the variance of the angles over the whole recording
     m, window, threshold    the paper's rule: where the variance of the magnetometer over the window (s) exceeds the
               threshold times its variance at rest, R becomes m R
     gain, largest    the better rule, used where the bias is kept: R of roll and pitch is gain times the mean of y^2
@@ -147,7 +153,7 @@ class Method:
     q: float
     kept: bool = False
     R_min: tuple = ((3 * DEG) ** 2, (3 * DEG) ** 2, (15 * DEG) ** 2)
-    printed: bool = False
+    without: tuple = ()
     m: float = 1.0
     window: float = 1.0
     threshold: float = 4.0
@@ -156,7 +162,8 @@ class Method:
     q_bias: float = 1e-9
 
 
-METHODS = {"literal": Method(q=1 * DEG ** 2, R_min=(0, 0, 0), printed=True, m=0.16),
+METHODS = {"literal": Method(q=1 * DEG ** 2, R_min=(0, 0, 0), m=0.16,
+                             without=("formulas", "Euler rates", "wrapping", "estimated tilt", "rest variance")),
            "paper": Method(q=30 * DEG ** 2),
            "adaptive": Method(q=(0.1 * DEG) ** 2, kept=True, R_min=(0, 0, (15 * DEG) ** 2))}
 
@@ -204,10 +211,11 @@ def attitude(t, gyr, acc, mag, rest_s, how):
     t, gyr, acc, mag, rest = _recording(t, gyr, acc, mag, rest_s)
     z, x = _measured(acc, mag, rest, how)
     R = _measurement_noise(t, z, mag, rest, how)
-    at_rest = gyr[rest].mean(axis=0)
+    at_rest = 0 if "rest mean" in how.without else gyr[rest].mean(axis=0)
     turn = (gyr[1:] + gyr[:-1]) / 2 - at_rest               # the rate in the middle of a step
     P_s = gyr[rest].var(axis=0).mean() / rest_s if how.kept else 0.0    # of at_rest: one independent value a second
     cells = np.broadcast_shapes(np.shape(how.q), np.shape(how.m))
+    wrapping = "wrapping" not in how.without
     lib = np if cells else math                             # one array of all cells, or plain numbers
     dt, turn, z, mag, R = np.diff(t).tolist(), turn.tolist(), z.tolist(), mag.tolist(), R.tolist() if lib is math else R
     recent = [deque(maxlen=max(1, round(0.5 / np.median(dt)))) for _ in AXES]       # y^2 of the last 0.5 s
@@ -219,12 +227,12 @@ def attitude(t, gyr, acc, mag, rest_s, how):
         s = list(s) if how.kept else [0.0] * 3
         P = [_predict_P(P[i], dt[k - 1], how) for i in range(3)]
         measured, R_k, y = z[k], list(R[k]), [math.nan] * 3
-        if not how.printed:                                 # turn the magnetometer back by the estimated tilt
+        if "estimated tilt" not in how.without:             # turn the magnetometer back by the estimated tilt
             measured = [*measured[:2], _heading(*mag[k], x[0], x[1], lib)]
         for i in range(3):
             if z[k][i] != z[k][i]:                # NaN: the sensor is silent
                 continue
-            y[i] = measured[i] - x[i] if how.printed else wrap(measured[i] - x[i])
+            y[i] = wrap(measured[i] - x[i]) if wrapping else measured[i] - x[i]
             P00, P01, P11 = P[i]
             if how.kept and i < 2:
                 recent[i].append(y[i] ** 2)
@@ -234,7 +242,7 @@ def attitude(t, gyr, acc, mag, rest_s, how):
             K = P00 / S, P01 / S
             x[i], s[i] = x[i] + K[0] * y[i], s[i] + K[1] * y[i]
             P[i] = K[0] * R_k[i], K[1] * R_k[i], P11 - K[1] * P01
-        if not how.printed:
+        if wrapping:
             x = [wrap(x[0]), x[1], wrap(x[2])]
         rows.append((x, measured, u, s, y, [P_i[0] for P_i in P], R_k))
     result = Attitude(*(np.array([[np.broadcast_to(value, cells) for value in row] for row in column] if cells else column)
@@ -258,27 +266,29 @@ def _predict_P(P, dt, how):
 
 def _rates(turn, x, s, dt, how, lib):
     """Rates of the three angles during a step, from the body's rates: taken at the angles in the middle of the step."""
-    if how.printed:
+    if "Euler rates" in how.without:
         return turn
     u = euler_rates(turn, x[0], x[1], lib)
+    if "midpoint" in how.without:
+        return u
     return euler_rates(turn, x[0] + dt / 2 * (u[0] - s[0]), x[1] + dt / 2 * (u[1] - s[1]), lib)
 
 
 def _measured(acc, mag, rest, how):
     """The measured angles (N, 3) and the mean angles at rest, where the filter starts.
 
-    The yaw is the one for the tilt at rest; the filter computes it again from its own tilt. Only `printed` uses it.
+    The yaw is the one for the tilt at rest, as the filter computes it again from its own tilt; or, without the estimated
+    tilt, the one for the accelerometer's.
     """
-    z = printed_tilt(acc) if how.printed else tilt(acc)
+    z = printed_tilt(acc) if "formulas" in how.without else tilt(acc)
     start = [_mean(z[rest, 0]), _mean(z[rest, 1])]
-    yaw = heading(mag, *(z.T if how.printed else start))
-    start.append(0.0 if np.isnan(yaw[rest]).all() else _mean(yaw[rest]))
-    return np.column_stack([z, yaw]), start
+    yaw = heading(mag, *(z.T if "estimated tilt" in how.without else start))
+    return np.column_stack([z, yaw]), [*start, _mean(yaw[rest])]
 
 
 def _measurement_noise(t, z, mag, rest, how):
     """R (N, 3), or (N, 3, cells) where m holds many: the variance of the angles, times m where the craft is dynamic."""
-    R = [max(_variance(column if how.printed else column[rest]), low, 1e-12) for column, low in zip(z.T, how.R_min)]
+    R = [max(_variance(column if "rest variance" in how.without else column[rest]), low, 1e-12) for column, low in zip(z.T, how.R_min)]
     dynamic = is_dynamic(t, mag, rest, how.window, how.threshold)
     factor = np.where(dynamic[:, np.newaxis], np.atleast_1d(how.m), 1.0)
     R = factor[:, np.newaxis, :] * np.array(R)[:, np.newaxis]
@@ -301,13 +311,13 @@ def is_dynamic(t, mag, rest, window, threshold):
 
 
 def _mean(angles):
-    """The mean direction, which +179 and -179 degrees have at 180."""
-    return float(np.angle(np.nanmean(np.exp(1j * angles))))
+    """The mean direction, which +179 and -179 degrees have at 180; 0 where the sensor is silent."""
+    return float(np.angle(np.nansum(np.exp(1j * angles))))
 
 
 def _variance(angles):
     """Variance of angles around their mean direction; 0 without any."""
-    return 0.0 if np.isnan(angles).all() else float(np.nanmean(wrap(angles - _mean(angles[np.isfinite(angles)])) ** 2))
+    return 0.0 if np.isnan(angles).all() else float(np.nanmean(wrap(angles - _mean(angles)) ** 2))
 
 
 def _recording(t, gyr, acc, mag, rest_s):
