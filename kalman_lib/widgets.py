@@ -21,7 +21,9 @@ from .metrics import chi2_bounds, nis, rmse
 from .papers import beetle as beetle_paper
 from .papers import describe, smoother, theory
 from .papers import gyro as gyro_paper
+from .papers import quadrotor as quadrotor_paper
 from .papers import ship as ship_paper
+from .recording import read_recording, rest_seconds
 from .spreadsheet import InputError, read_file, read_text, write_workbook
 
 SEED = 2                    # of every synthetic measurement in this room
@@ -215,6 +217,7 @@ class Screen(widgets.Image):
         figure.set_layout_engine("none")
         figure.set_dpi(130)
         ax.set_position((0.14, 0.48 / height, 0.84, 1 - 0.80 / height))
+        ax.apply_aspect()
         contents = sorted([*ax.collections, *ax.patches, *ax.lines], key=lambda part: part.get_zorder())
         contents += [ax.get_legend()] if ax.get_legend() else []
         axes = ax.get_xlim(), ax.get_ylim(), ax.get_xlabel(), ax.get_ylabel()
@@ -1222,3 +1225,206 @@ class ShipRun(OwnData):
         said += [self.say("nis", nis=self.decimal(np.nanmean(nis_values), 3))]
         self.note.value, self.sentence.value = (
             f'<p style="margin:0;line-height:1.5">{escape(" ".join(lines))}</p>' for lines in (notes, said))
+
+
+# --- chapter 6 -------------------------------------------------------------------------------------------------------
+
+def quadrotor(p=None):
+    """Chapter 6: the attitude filter on a synthetic flight or on the reader's own recording. p a quadrotor.Params."""
+    board = Quadrotor(p)
+    show(board.view, "quadrotor", board.picture())
+
+
+class Quadrotor(Board):
+    """The three methods on a synthetic flight or on a phone's recording: angles, errors, and the craft at any moment."""
+    SENSORS = {"gyr": {"id": "giroskop", "en": "gyroscope"}, "acc": {"id": "akselerometer", "en": "accelerometer"},
+               "mag": {"id": "magnetometer", "en": "magnetometer"}}
+    SLIDERS = ("window", "threshold")
+    words = {
+        **SENSORS,
+        "source": {"id": "Data", "en": "Data"},
+        "flight": {"id": "penerbangan sintetis", "en": "synthetic flight"},
+        "file": {"id": "rekaman saya", "en": "my recording"},
+        "upload": {"id": "Unggah rekaman (CSV atau ZIP)", "en": "Upload a recording (CSV or ZIP)"},
+        "no_file": {"id": "Belum ada rekaman yang diunggah.", "en": "No recording has been uploaded yet."},
+        "no_rest": {"id": "Rekaman ini tidak diawali keadaan diam. Letakkan ponsel diam selama beberapa detik, lalu mulai.",
+                    "en": "This recording does not begin at rest. Let the phone lie still for a few seconds, then start."},
+        "method": {"id": "Cara", "en": "Method"},
+        "literal": {"id": "persis seperti tercetak", "en": "to the letter of the paper"},
+        "paper": {"id": "makalah, dibetulkan", "en": "the paper, corrected"},
+        "adaptive": {"id": "adaptif", "en": "adaptive"},
+        "noise": {"id": "Derau baru", "en": "New noise"},
+        "reset": {"id": "Ulang dari awal", "en": "Start again"},
+        "sensors": {"id": "Sensor yang dipakai", "en": "Sensors in use"},
+        "moment": {"id": "Saat (s)", "en": "Moment (s)"},
+        "angles": {"id": "Roll, pitch, dan yaw (derajat): estimasi tebal, pembanding tipis", "en":
+                   "Roll, pitch and yaw (degrees): estimate thick, reference thin"},
+        "craft": {"id": "Wahana, dilihat dari selatan dan dari atas: estimasi tebal, pembanding tipis",
+                  "en": "The craft, seen from the south and from above: estimate thick, reference thin"},
+        "rmse": {"id": "RMSE terhadap {reference}: roll {roll}°, pitch {pitch}°, yaw {yaw}°; sensor saja "
+                       "{z_roll}°, {z_pitch}°, {z_yaw}°.",
+                 "en": "RMSE against {reference}: roll {roll}°, pitch {pitch}°, yaw {yaw}°; the sensors alone "
+                       "{z_roll}°, {z_pitch}°, {z_yaw}°."},
+        "galat": {"id": "Galat menurut makalah: {roll} %, {pitch} %, {yaw} %.",
+                  "en": "Error by the paper's formula: {roll} %, {pitch} %, {yaw} %."},
+        "truth": {"id": "sudut sebenarnya", "en": "the true angles"},
+        "device": {"id": "sudut dari alat itu sendiri", "en": "the device's own angles"},
+        "nothing": {"id": "Rekaman ini tidak memuat sudut pembanding.", "en": "This recording holds no reference angles."},
+        "made": {"id": "Penerbangan sintetis (benih acak {seed}).", "en": "The flight is synthetic (random seed {seed})."},
+        "no_mag": {"id": "Tanpa magnetometer, yaw dimulai dari 0 dan hanya giroskop yang memutarnya.",
+                   "en": "Without the magnetometer the yaw starts at 0 and only the gyroscope turns it."},
+        "fixed": {"id": "Pada cara adaptif m, q, jendela, dan ambang tidak dipakai.",
+                  "en": "The adaptive method uses neither m, q, window nor threshold."},
+    }
+
+    def __init__(self, p=None):
+        super().__init__()
+        self.p, self.seed = p or quadrotor_paper.Params(), SEED
+        meta = describe(quadrotor_paper.Params)
+        self.words = {**self.words, **{name: {language: f"{meta[name][language]} ({meta[name]['unit']})".replace(" ()", "")
+                                              for language in ("id", "en")} for name in self.SLIDERS}}
+        self.source = _wide(self.choices(self.label(widgets.Dropdown(), "source"), ["flight", "file"]))
+        self.upload = _wide(self.label(widgets.FileUpload(accept=".csv,.zip,.txt,.xlsx", multiple=True), "upload"))
+        self.method = _wide(self.choices(self.label(widgets.Dropdown(value=None), "method"), ["paper", "adaptive", "literal"]))
+        self.m, row_m = self.log_field("m", meta["m"], self.p.m)
+        unit_q = {key: f"{meta['q'][key]} ({meta['q']['unit']})" for key in ("id", "en")}
+        self.q, row_q = self.log_field("q", {**meta["q"], **unit_q}, self.p.q)
+        self.window = widgets.FloatSlider(self.p.window, min=meta["window"]["min"], max=meta["window"]["max"], step=0.1,
+                                          continuous_update=False, layout=widgets.Layout(width="17em"))
+        self.threshold = widgets.FloatLogSlider(self.p.threshold, min=0, max=2, step=0.05, readout_format=".3g",
+                                                continuous_update=False, layout=widgets.Layout(width="17em"))
+        self.sensors = {name: self.label(widgets.Checkbox(True, indent=False, layout=widgets.Layout(width="auto")), name)
+                        for name in self.SENSORS}
+        self.noise, self.restart = (_wide(self.label(widgets.Button(), key)) for key in ("noise", "reset"))
+        self.moment = widgets.FloatSlider(40, min=0, max=126, step=0.5, readout_format=".1f",
+                                          layout=widgets.Layout(width="20em"))
+        self.note, self.sentence = (widgets.HTML(layout=widgets.Layout(width="98%")) for _ in range(2))
+        self.plots, self.craft = [Screen() for _ in quadrotor_paper.AXES], Screen()
+
+        def under(key, part):
+            return widgets.VBox([self.label(widgets.Label(), key, "value"), part])
+
+        self.view = widgets.VBox([
+            self.language,
+            _row(self.source, self.upload, self.method, self.noise, self.restart),
+            _row(row_m, row_q, under("window", self.window), under("threshold", self.threshold)),
+            _row(self.label(widgets.Label(), "sensors", "value"), *self.sensors.values()),
+            self.note, self.message, self.sentence,
+            _row(widgets.VBox([self.label(widgets.HTML(), "angles", "value"), *self.plots],
+                              layout=widgets.Layout(flex="1 1 320px")),
+                 widgets.VBox([self.label(widgets.HTML(), "craft", "value"), self.craft, under("moment", self.moment)],
+                              layout=widgets.Layout(flex="1 1 320px"))),
+        ], layout=widgets.Layout(width="98%"))
+        self.on(self.source, self.load)
+        self.on(self.upload, lambda: self.load("file"))
+        self.on(self.noise, self.renew)
+        self.on(self.restart, self.reset)
+        for part in (self.method, self.m, self.q, self.window, self.threshold, *self.sensors.values()):
+            self.on(part, self.calculate)
+        self.on(self.moment, self.turn)
+        self.load()
+
+    def renew(self):
+        self.seed += 1
+        self.load("flight")
+
+    def reset(self):
+        self.quiet, self.seed = True, SEED
+        self.method.value = "paper"
+        for name in ("m", "q"):
+            getattr(self, name).value = f"{getattr(self.p, name):.12g}"
+        for name in self.SLIDERS:
+            getattr(self, name).value = getattr(self.p, name)
+        for sensor in self.sensors.values():
+            sensor.value = True
+        self.quiet = False
+        self.load("flight")
+
+    def load(self, source=None):
+        """Fetch the flight or the recording, then filter it. What cannot be read leaves everything as it was."""
+        self.quiet, self.source.value, self.quiet = True, source or self.source.value, False
+        if self.source.value == "flight":
+            flight = quadrotor_paper.simulate(self.p, np.random.default_rng(self.seed))
+            said = {language: self.words["made"][language].format(seed=self.seed) for language in ("id", "en")}
+            self.calculate((*flight.sensors, flight.truth, "truth", said))
+            return
+        if not self.upload.value:
+            raise InputError(self.words["no_file"]["en"], self.words["no_file"]["id"])
+        recording = read_recording({file["name"]: bytes(file["content"]) for file in self.upload.value})
+        rest_s = rest_seconds(recording)
+        if not rest_s:
+            raise InputError(self.words["no_rest"]["en"], self.words["no_rest"]["id"])
+        said = {language: " ".join(note[language] for note in recording.notes) for language in ("id", "en")}
+        self.calculate((recording.t, recording.gyr, recording.acc, recording.mag, rest_s, recording.reference,
+                        "device" if recording.reference is not None else "nothing", said))
+
+    def calculate(self, data=None):
+        """Filter with the current settings and draw; nothing on the screen changes before all of it is known."""
+        data = data or self.data
+        t, gyr, acc, mag, rest_s, reference, *_ = data
+        used = {name: part if self.sensors[name].value else None
+                for name, part in (("gyr", gyr), ("acc", acc), ("mag", mag))}
+        method = quadrotor_paper.METHODS[self.method.value]
+        if not method.kept:
+            method = replace(method, m=number(self.m.value), q=number(self.q.value) * quadrotor_paper.DEG ** 2,
+                             window=self.window.value, threshold=self.threshold.value)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            result = quadrotor_paper.attitude(t, np.zeros_like(gyr) if used["gyr"] is None else gyr, used["acc"],
+                                              used["mag"], rest_s, method)
+        self.data, self.result = data, result
+        if caught:
+            self.tell(caught[0].message)
+        for screen, row in zip(self.plots, self.rows()):
+            screen.draw(plots.series(**row, xlabel="$t$ (s)", height=1.7))
+        self.quiet, self.moment.max, self.quiet = True, float(t[-1]), False
+        self.turn()
+        self.redraw()
+
+    def rows(self):
+        """For each axis what plots.series draws: what the sensor alone says, the reference, the estimate; degrees."""
+        t, reference = self.data[0], self.data[5]
+        some = slice(None, None, -(-len(t) // PLOT_POINTS))
+        for i, name in enumerate(quadrotor_paper.AXES):
+            x = np.unwrap(self.result.angles[some, i])          # no line across the picture where the yaw goes round
+            z, truth = (None if part is None else np.degrees(x + quadrotor_paper.wrap(part[some, i] - x))
+                        for part in (self.result.z, reference))
+            yield dict(t=t[some], z=z, x=np.degrees(x), truth=truth, ylabel="°",
+                       names={"x": name, "truth": f"{name} (ref.)"})
+
+    def picture(self):
+        """The static picture of the built book."""
+        return plots.panels(list(self.rows()), xlabel="$t$ (s)", height=1.5)
+
+    def moments(self, *seconds):
+        t, reference = self.data[0], self.data[5]
+        places = [min(np.searchsorted(t, second), len(t) - 1) for second in seconds]
+        return {f"{t[k]:.0f} s": (self.result.angles[k], None if reference is None else reference[k]) for k in places}
+
+    def short(self, value):
+        """A number for the sentences: one to two digits after the point, a dash for none."""
+        return "–" if np.isnan(value) else self.decimal(round(value, 2 if value < 10 else 1), 6)
+
+    def turn(self):
+        """Draw the craft at the chosen moment."""
+        self.craft.draw(plots.craft(self.moments(self.moment.value), height=3.0))
+
+    def redraw(self):
+        """Write the outcome in the current language."""
+        reference, name, said = self.data[5:]
+        sentences = [said[self.language.value]]
+        if reference is None:
+            sentences.append(self.say("nothing"))
+        else:
+            axes = quadrotor_paper.AXES
+            ours, alone = (quadrotor_paper.rmse_deg(reference, part) for part in (self.result.angles, self.result.z))
+            lie = quadrotor_paper.galat(reference, quadrotor_paper.wrap(self.result.angles))
+            sentences += [
+                self.say("rmse", reference=self.say(name), **{axis: self.short(v) for axis, v in zip(axes, ours)},
+                         **{f"z_{axis}": self.short(v) for axis, v in zip(axes, alone)}),
+                self.say("galat", **{axis: self.short(v) for axis, v in zip(axes, lie)})]
+        if not self.sensors["mag"].value or self.data[3] is None:
+            sentences.append(self.say("no_mag"))
+        if self.method.value == "adaptive":
+            sentences.append(self.say("fixed"))
+        self.sentence.value = "".join(f'<p style="line-height:1.5;margin:0 0 .3em">{escape(s)}</p>' for s in sentences)

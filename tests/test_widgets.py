@@ -12,7 +12,7 @@ import pytest
 from openpyxl import load_workbook
 
 from kalman_lib import kalman_filter, rmse, rts_smooth, widgets
-from kalman_lib.papers import beetle, gyro, ship, smoother, theory
+from kalman_lib.papers import beetle, gyro, quadrotor, ship, smoother, theory
 
 LANGUAGES = ("id", "en")
 
@@ -725,3 +725,101 @@ def test_a_long_towing_file_stays_quick_and_refuses_only_the_smoother():
     assert len(board.figure.axes[0].lines[0].get_xdata()) <= widgets.PLOT_POINTS
     board.smooth.value = True
     assert "5000" in board.message.value
+
+
+# --- chapter 6: the quadrotor ----------------------------------------------------------------------------------------
+
+@pytest.fixture(scope="module")
+def quick():
+    """Params of a flight with few samples."""
+    return quadrotor.Params(dt=0.1)
+
+
+def test_the_quadrotor_is_one_output_live_in_jupyter_and_static_in_the_book(monkeypatch, quick):
+    shown = []
+    monkeypatch.setattr(widgets, "display", lambda data, raw: shown.append(data))
+    assert widgets.quadrotor(quick) is None
+    assert '<kalman-explorer paper="quadrotor"><img' in shown[0]["text/html"]
+    assert "application/vnd.jupyter.widget-view+json" in shown[0]
+
+
+def test_the_quadrotor_shows_what_attitude_computes(quick):
+    board = widgets.Quadrotor(quick)
+    flight = quadrotor.simulate(quick, np.random.default_rng(widgets.SEED))
+    how = quadrotor.METHODS["paper"]
+    assert np.array_equal(board.result.angles, quadrotor.attitude(*flight.sensors, how).angles)
+    board.m.value, board.q.value, board.window.value, board.threshold.value = "0,16", "1", 2.0, 10.0
+    changed = replace(how, m=0.16, q=quadrotor.DEG ** 2, window=2.0, threshold=10.0)
+    expected = quadrotor.attitude(*flight.sensors, changed).angles
+    assert np.allclose(board.result.angles, expected, atol=1e-12)
+    roll = quadrotor.rmse_deg(flight.truth, expected)[0]
+    assert f"roll {roll:.2f}".replace(".", ",") in board.sentence.value
+    for method in ("adaptive", "literal"):
+        board.method.value = method
+        kept = quadrotor.METHODS[method]
+        expected = kept if kept.kept else replace(kept, m=0.16, q=quadrotor.DEG ** 2, window=2.0, threshold=10.0)
+        assert np.array_equal(board.result.angles, quadrotor.attitude(*flight.sensors, expected).angles)
+    board.restart.click()
+    assert np.array_equal(board.result.angles, quadrotor.attitude(*flight.sensors, how).angles)
+    board.noise.click()
+    assert str(widgets.SEED + 1) in board.sentence.value and board.message.value == ""
+
+
+def test_the_quadrotor_s_sensors_can_be_switched_off(quick):
+    board = widgets.Quadrotor(quick)
+    t, gyr, acc, mag, rest_s = quadrotor.simulate(quick, np.random.default_rng(widgets.SEED)).sensors
+    how = quadrotor.METHODS["paper"]
+    for name, sensors in (("gyr", (np.zeros_like(gyr), acc, mag)), ("acc", (gyr, None, mag)), ("mag", (gyr, acc, None))):
+        board.sensors[name].value = False
+        assert np.array_equal(board.result.angles, quadrotor.attitude(t, *sensors, rest_s, how).angles)
+        board.sensors[name].value = True
+    assert "nan" not in board.sentence.value
+
+
+def test_the_craft_turns_with_the_moment(quick):
+    board = widgets.Quadrotor(quick)
+    before = board.craft.value
+    board.moment.value = 65.0
+    assert board.craft.value != before and list(board.moments(65))[0] == "65 s"
+    figure = widgets.plots.craft(board.moments(65), height=3.0)
+    widgets.Screen().draw(figure)
+    (left, bottom), (right, top) = figure.axes[0].transData.transform([(-1, -1), (1, 1)])
+    assert right - left == pytest.approx(top - bottom, rel=1e-6)
+
+
+def phone_file(seconds, rest=4.0):
+    """A made-up phone export, one file: the phone lies still and then turns about its z axis."""
+    t = np.arange(0, seconds, 0.05)
+    turn = np.where(t < rest, 0, 0.5)
+    noise = np.random.default_rng(0).normal(size=(2, len(t))) * 1e-3
+    rows = [f"{a:.2f},0,0,{b:.4f},0,0,{c:.4f},20,0,-30" for a, b, c in zip(t, turn + noise[0], 9.81 + noise[1])]
+    names = ["Time (s)"] + [f"{sensor} {axis} ({unit})" for sensor, unit in (
+        ("Gyroscope", "rad/s"), ("Acceleration", "m/s^2"), ("Magnetic Field", "µT")) for axis in "xyz"]
+    return "\n".join([",".join(names), *rows]).encode()
+
+
+def test_a_phone_recording_in_the_quadrotor_and_what_it_lacks(quick):
+    board = widgets.Quadrotor(quick)
+    before = board.sentence.value
+    board.source.value = "file"
+    assert "Belum ada rekaman" in board.message.value and board.sentence.value == before
+    upload(board, "phone.csv", b"Time (s);Gyroscope x (rad/s)\n0;1\n")
+    assert board.message.value and board.sentence.value == before
+    upload(board, "phone.csv", phone_file(12))
+    assert board.message.value == "" and "tidak memuat sudut pembanding" in board.sentence.value
+    assert board.result.angles.shape[0] == 240 and board.moment.max == pytest.approx(11.95)
+    upload(board, "moving.csv", phone_file(12, rest=0))
+    assert "tidak diawali keadaan diam" in board.message.value and board.result.angles.shape[0] == 240
+    board.language.value = "en"
+    assert "does not begin at rest" in board.message.value and "no reference" in board.sentence.value
+
+
+def test_the_quadrotor_s_words_exist_in_both_languages(quick):
+    board = widgets.Quadrotor(quick)
+    for key, word in board.words.items():
+        assert word["id"].strip() and word["en"].strip() and (word["id"] != word["en"] or key in ("source", "mag")), key
+    board.language.value = "en"
+    text = text_of(board)
+    for key, word in board.words.items():
+        pieces = [piece for piece in re.split(r"\{\w+\}", word["id"]) if len(piece.strip(" .:(),%°")) > 6]
+        assert not [piece for piece in pieces if piece in text and piece not in word["en"]], key

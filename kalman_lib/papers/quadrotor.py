@@ -288,7 +288,8 @@ def _measured(acc, mag, rest, how):
 
 def _measurement_noise(t, z, mag, rest, how):
     """R (N, 3), or (N, 3, cells) where m holds many: the variance of the angles, times m where the craft is dynamic."""
-    R = [max(_variance(column if "rest variance" in how.without else column[rest]), low, 1e-12) for column, low in zip(z.T, how.R_min)]
+    seen = z if "rest variance" in how.without else z[rest]
+    R = [max(_variance(column), low, 1e-12) for column, low in zip(seen.T, how.R_min)]
     dynamic = is_dynamic(t, mag, rest, how.window, how.threshold)
     factor = np.where(dynamic[:, np.newaxis], np.atleast_1d(how.m), 1.0)
     R = factor[:, np.newaxis, :] * np.array(R)[:, np.newaxis]
@@ -387,8 +388,28 @@ def simulate(p, rng):
     push = -(force + 0.35 * velocity)                                           # thrust turned round: the body's down
     x, y = push[:, 0] * np.cos(yaw) + push[:, 1] * np.sin(yaw), push[:, 1] * np.cos(yaw) - push[:, 0] * np.sin(yaw)
     truth = np.column_stack([-np.arctan2(y, np.hypot(x, push[:, 2])), np.arctan2(x, push[:, 2]), yaw])
+    return _sensors(p, rng, t, truth, force, 1.0 * aloft[:, np.newaxis] * _coloured(rng, t, 2.0))
+
+
+def swing(p, rng):
+    """A SYNTHETIC fast motion by hand, 60 s -> Flight: roll and pitch swing by 45 and 35 degrees while it turns.
+
+    Accelerations of 1 m/s2 (correlated over 0.5 s); noise and bias of the sensors as in `simulate`, no disturbance.
+    """
+    check(p)
+    t = np.arange(0, REST + 60, p.dt)
+    moves = np.clip((t - REST) / 3, 0, 1)
+    moves = moves ** 2 * (3 - 2 * moves)
+    s = np.clip(t - REST, 0, None)
+    truth = np.column_stack([45 * DEG * moves * np.sin(3.1 * s), 35 * DEG * moves * np.sin(2.3 * s),
+                             np.pi + 120 * DEG * moves * np.sin(0.7 * s)])
+    force = moves[:, np.newaxis] * _coloured(rng, t, 0.5) - [0, 0, GRAVITY]
+    return _sensors(p, rng, t, truth, force, np.zeros(3))
+
+
+def _sensors(p, rng, t, truth, force, disturbance):
+    """A Flight along the true angles (N, 3), with the specific force (N, 3) m/s2 NED and a magnetic disturbance, uT."""
     rates = np.gradient(truth, p.dt, axis=0)
-    disturbance = 1.0 * aloft[:, np.newaxis] * _coloured(rng, t, 2.0)
     gyr = body_rates(rates, truth) + p.bias * DEG * rng.normal(size=3) + p.sigma_gyr * DEG * rng.normal(size=truth.shape)
     acc = to_body(force, truth) + p.sigma_acc * rng.normal(size=truth.shape)
     mag = to_body(FIELD, truth) + disturbance + p.sigma_mag * rng.normal(size=truth.shape)
@@ -456,5 +477,7 @@ def galat(reference, estimate):
 
 
 def rmse_deg(truth, angles):
-    """Root mean square of the wrapped errors of the angles (N, ...) in degrees."""
-    return np.degrees(np.sqrt(np.nanmean(wrap(angles - truth) ** 2, axis=0)))
+    """Root mean square over time of the wrapped errors of the angles (N, ...), in degrees; NaN is left out."""
+    error = wrap(angles - truth)
+    known = np.isfinite(error)
+    return np.degrees(np.sqrt(np.sum(np.where(known, error, 0) ** 2, axis=0) / np.where(known.any(axis=0), known.sum(axis=0), np.nan)))
