@@ -185,6 +185,32 @@ def test_euler_rates_keep_a_fast_slanted_turn_where_body_rates_lose_it():
     assert (error < 0.5).all() and body.max() > 10
 
 
+@pytest.mark.parametrize("left_out", quadrotor.CORRECTIONS)
+def test_every_correction_can_be_left_out_alone(flight, left_out):
+    short = (flight.t[:600], flight.gyr[:600], flight.acc[:600], flight.mag[:600], flight.rest_s)
+    whole, part = (quadrotor.attitude(*short, replace(METHODS["paper"], R_min=(0, 0, 0), without=without)).angles
+                   for without in ((), (left_out,)))
+    assert np.abs(whole - part).max() > 1e-12
+
+
+def test_the_error_of_the_tilt_is_the_angle_between_the_verticals():
+    one, other = ATTITUDES[[3, 5]], ATTITUDES[[4, 2]]
+    down = np.array([0, 0, 1])
+    expected = [np.arccos(np.dot(body_to_ned(a).inv().apply(down), body_to_ned(b).inv().apply(down)))
+                for a, b in zip(one, other)]
+    assert np.allclose(quadrotor.tilt_error(one, other), expected)
+    assert np.allclose(quadrotor.tilt_error(degrees([[0, 20, 0]]), degrees([[0, 50, 99]])), degrees([30]))
+
+
+def test_the_fast_motion_is_fast_and_its_sensors_fit():
+    swing = quadrotor.swing(Params(sigma_gyr=0.01, sigma_acc=0.01, sigma_mag=0.01, bias=0), np.random.default_rng(0))
+    turn = body_to_ned(swing.truth[0])
+    for w, dt in zip((swing.gyr[1:] + swing.gyr[:-1]) / 2, np.diff(swing.t)):
+        turn = turn * Rotation.from_rotvec(w * dt)
+    assert np.degrees((turn.inv() * body_to_ned(swing.truth[-1])).magnitude()) < 1
+    assert np.abs(swing.gyr).max() > 100 * DEG and 30 * DEG < np.abs(swing.truth[:, :2]).max() < 75 * DEG
+
+
 LIMITS = {"paper": {"flight": "0.9 1.6 2.5", "broad10": "1.2 1.2 2.2", "quad123": "0.9 1.8 2.8", "p4rtk_dot1": "1.2 3.6 2.9"},
           "adaptive": {"flight": "0.45 0.5 1.6", "broad10": "0.5 1.0 1.9", "quad123": "0.8 0.9 2.5",
                        "p4rtk_dot1": "0.9 1.4 2.7"}}

@@ -481,3 +481,10 @@ def rmse_deg(truth, angles):
     error = wrap(angles - truth)
     known = np.isfinite(error)
     return np.degrees(np.sqrt(np.sum(np.where(known, error, 0) ** 2, axis=0) / np.where(known.any(axis=0), known.sum(axis=0), np.nan)))
+
+
+def tilt_error(truth, angles):
+    """The angle (N,) rad between the two vertical directions that truth and angles (N, 3) claim; yaw does not matter,
+    and it keeps its meaning where the pitch is near 90 degrees."""
+    dot = (to_body([0, 0, 1], truth) * to_body([0, 0, 1], angles)).sum(axis=1)
+    return np.arccos(np.clip(dot, -1, 1))
