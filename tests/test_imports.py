@@ -17,7 +17,7 @@ ALLOWED = {     # file -> what of our own it may import, and which packages; the
     "spreadsheet.py": (set(), NUMERICS | {"openpyxl"}),
     "recording.py": ({"spreadsheet"}, NUMERICS),
     "plots.py": ({"metrics", "models", "papers"}, NUMERICS | {"matplotlib", "PIL"}),
-    "widgets.py": ({"models", "metrics", "simulate", "filters", "papers", "plots", "spreadsheet"},
+    "widgets.py": ({"models", "metrics", "simulate", "filters", "papers", "plots", "recording", "spreadsheet"},
                    NUMERICS | {"ipywidgets", "IPython", "matplotlib"}),
 }
 PAPER = ({"models", "simulate", "papers"}, NUMERICS)        # "papers": only the package itself, see below
