@@ -9,14 +9,16 @@ band           light blue, +-2 sigma   rival          green dash-dots (moving av
 """
 import io
 from contextlib import contextmanager
+from contextvars import ContextVar
 from pathlib import Path
 
 import numpy as np
 from matplotlib import style
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure as MatplotlibFigure
-from matplotlib.patches import Ellipse
 from PIL import Image
+
+from .sketch import Sketch
 
 STYLE = Path(__file__).with_name("kalman.mplstyle")
 TRUTH = dict(color="#222222", linewidth=1.0)
@@ -44,9 +46,26 @@ class Figure(MatplotlibFigure):
         return buffer.getvalue()
 
 
+_quick = ContextVar("whether figures are drawn as quick sketches", default=False)
+
+
+@contextmanager
+def live():
+    """Inside this block every function below that has one pair of axes returns a Sketch, SVG in a few milliseconds."""
+    before = _quick.set(True)
+    try:
+        yield
+    finally:
+        _quick.reset(before)
+
+
 @contextmanager
 def _figure(rows=1, height=3.0, columns=1, **options):
     """A figure in the book's style and its axes; the style holds inside the with block only."""
+    if _quick.get():
+        sketch = Sketch(height)
+        yield sketch, sketch.axes[0]
+        return
     with style.context(STYLE):
         figure = Figure(figsize=(4.8, height))
         FigureCanvasAgg(figure)
@@ -55,6 +74,8 @@ def _figure(rows=1, height=3.0, columns=1, **options):
 
 def _legend(ax, **options):
     """A legend above the axes, where it can cover no data."""
+    if _quick.get():
+        return                                      # a Sketch always has one
     handles, labels = ax.get_legend_handles_labels()
     if handles:
         ax.legend(handles, labels, loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=min(len(labels), 4),
@@ -172,10 +193,9 @@ def ellipses(states, z=None, R=None, xlabel="$p$ (m)", ylabel="$v$ (m/s)", heigh
             ax.axvspan(z - 2 * np.sqrt(R), z + 2 * np.sqrt(R), color=MEASUREMENT["color"], alpha=0.12, linewidth=0)
             ax.axvline(z, color=MEASUREMENT["color"], linewidth=1.4, linestyle=(0, (1, 1.5)), label=r"$z \pm 2\sqrt{R}$")
         for label, (x, P, look) in states.items():
-            ellipse = covariance_ellipse(x, P)
-            ellipse.set(edgecolor=look["color"], facecolor=(*_rgb(look["color"]), 0.10),
-                        linewidth=1.8, linestyle=look.get("linestyle", "-"))
-            ax.add_patch(ellipse)
+            outline = covariance_ellipse(x, P)
+            ax.fill(*outline, color=look["color"], alpha=0.10, linewidth=0)
+            ax.plot(*outline, color=look["color"], linewidth=1.8, linestyle=look.get("linestyle", "-"))
             ax.plot(*x, "o", color=look["color"], markersize=5, label=label)
         if limits is None:
             ax.autoscale_view()
@@ -205,10 +225,11 @@ def plane(states, lines, points, xlabel, ylabel, height=3.4, limits=None):
 
 
 def covariance_ellipse(x, P, sigmas=2):
-    """The matplotlib Ellipse around x (2,) whose half-axes are `sigmas` standard deviations of P (2, 2)."""
+    """The outline (2, 181) of the ellipse around x (2,) whose half-axes are `sigmas` standard deviations of P (2, 2)."""
     variances, axes = np.linalg.eigh(P)
-    width, height = 2 * sigmas * np.sqrt(np.maximum(variances, 0))
-    return Ellipse(x, width, height, angle=np.degrees(np.arctan2(axes[1, 0], axes[0, 0])))
+    turn = np.linspace(0, 2 * np.pi, 181)
+    half = sigmas * np.sqrt(np.maximum(variances, 0))[:, np.newaxis]
+    return np.asarray(x)[:, np.newaxis] + axes @ (half * np.array([np.cos(turn), np.sin(turn)]))
 
 
 def poles(sets, zoom=None, height=2.6):
@@ -336,8 +357,3 @@ def _to_ned(v, angles):
     return v @ np.array([[cp * cy, cp * sy, -sp],
                          [sr * sp * cy - cr * sy, sr * sp * sy + cr * cy, sr * cp],
                          [cr * sp * cy + sr * sy, cr * sp * sy - sr * cy, cr * cp]])
-
-
-def _rgb(colour):
-    """#rrggbb -> three numbers from 0 to 1."""
-    return tuple(int(colour[i:i + 2], 16) / 255 for i in (1, 3, 5))

@@ -13,7 +13,6 @@ from html import escape
 import ipywidgets as widgets
 import numpy as np
 from IPython.display import display
-from matplotlib.image import imsave
 
 from . import plots
 from .filters import kalman_filter, predict, rts_smooth, update
@@ -43,14 +42,14 @@ def theory_steps(p=None):
 def smoother_form(z=None, p=None):
     """Chapter 2: the paper's Excel form. z (T,) is offered as data beside the built-in ones; p a smoother.Params."""
     board = SmootherForm(z, p)
-    show(board.view, "smoother", board.figure)
+    show(board.view, "smoother", board.figure())
 
 
 def smoother_online(p=None):
     """Chapter 2: one measurement at a time. p is a smoother.Params or None."""
     board = SmootherOnline(p)
     board.add(*board.stream[:60])
-    show(board.view, "smoother", board.figure)
+    show(board.view, "smoother", board.figure())
     board.reset()
 
 
@@ -63,13 +62,13 @@ def gyro(p=None):
 def beetle(p=None):
     """Chapter 5: the beetle's R, time step, and true and believed direction and speed. p is a beetle.Params or None."""
     board = Beetle(p)
-    show(board.view, "beetle", board.figure)
+    show(board.view, "beetle", board.figure())
 
 
 def ship(p=None):
     """Chapter 4: the source's AR(2) filter on a towing run or on the reader's own file. p is a ship.Params or None."""
     board = ShipRun(p)
-    show(board.view, "ship", board.figure)
+    show(board.view, "ship", board.figure())
 
 
 def show(widget, paper, figure):
@@ -204,39 +203,13 @@ class Board:
         return text, widgets.VBox([self.label(widgets.Label(), name, "value"), widgets.HBox([slider, text])])
 
 
-class Screen(widgets.Image):
-    """A picture that is quick to renew: while the axes keep their limits, only what lies inside them is drawn anew."""
+class Screen(widgets.HTML):
+    """A place for a drawing that is quick to renew."""
 
-    def __init__(self, **options):
-        super().__init__(layout=widgets.Layout(width="100%", max_width="560px"), **options)
-        self._renderer = self._axes = self._background = None
-
-    def draw(self, figure):
-        """Show a Figure with one pair of axes; every figure on one Screen has the same size."""
-        ax, height = figure.axes[0], figure.get_figheight()
-        figure.set_layout_engine("none")
-        figure.set_dpi(130)
-        ax.set_position((0.14, 0.48 / height, 0.84, 1 - 0.80 / height))
-        ax.apply_aspect()
-        contents = sorted([*ax.collections, *ax.patches, *ax.lines], key=lambda part: part.get_zorder())
-        contents += [ax.get_legend()] if ax.get_legend() else []
-        axes = ax.get_xlim(), ax.get_ylim(), ax.get_xlabel(), ax.get_ylabel()
-        renderer = self._renderer = self._renderer or figure.canvas.get_renderer()     # it remembers how text looks
-        if axes != self._axes:
-            for part in contents:
-                part.set_visible(False)
-            renderer.clear()
-            figure.draw(renderer)
-            self._axes, self._background = axes, np.array(renderer.buffer_rgba())
-            for part in contents:
-                part.set_visible(True)
-        pixels = np.asarray(renderer.buffer_rgba())
-        pixels[:] = self._background
-        for part in contents:
-            part.draw(renderer)
-        png = io.BytesIO()
-        imsave(png, pixels, format="png", pil_kwargs={"compress_level": 1})
-        self.value = png.getvalue()
+    def draw(self, make):
+        """Show what make() returns, a figure of plots.py, as a sketch."""
+        with plots.live():
+            self.value = make().svg()
 
 
 def _row(*parts):
@@ -410,8 +383,8 @@ class TheorySteps(Board):
         low, high = zip(self.usual, self.boxes(steps))
         self.limits = np.array([2 * np.floor(np.min(low, axis=0) / 2), 2 * np.ceil(np.max(high, axis=0) / 2)])
         self.current = k, kind, steps[max(k - 1, 0)]
-        self.plane.draw(self.ellipses())
-        self.bells.draw(self.gaussians())
+        self.plane.draw(self.ellipses)
+        self.bells.draw(self.gaussians)
         self.equations.value = self.filled_in()
         before = (P, P, prediction.P_pred)[kind]
         gain, y = updated.K[0, 0], updated.y[0]
@@ -641,8 +614,11 @@ class SmootherForm(OwnData):
         x, P, K, smooth = smoother.scalar_filter(z, p)
         average = smoother.moving_average(z, p.window)
         some = slice(None, None, -(-n // PLOT_POINTS))
-        figure = plots.series(np.arange(1, n + 1)[some], z[some], x[some], rivals={f"MA({p.window})": average[some]},
-                              truth=None if truth is None else truth[some])
+
+        def figure():
+            return plots.series(np.arange(1, n + 1)[some], z[some], x[some], rivals={f"MA({p.window})": average[some]},
+                                truth=None if truth is None else truth[some])
+
         self.plot.draw(figure)
         self.figure, self.result = figure, (p, z, truth, x, P, K, smooth, average, self.what)
         self.redraw()
@@ -765,7 +741,6 @@ class SmootherOnline(Board):
         self.p = p or smoother.Params(Q=1e-3, R=0.09, P0=1000)
         self.model = smoother.model(self.p)
         self.stream = smoother.silkworm_room(np.random.default_rng(SEED)).z[:, 0]
-        self.figure = None
         self.entry = _wide(self.label(self.label(widgets.Text(continuous_update=False), "new"), "hint", "placeholder"))
         self.entry.layout.width = "22em"
         self.button, self.restart = (_wide(self.label(widgets.Button(), key)) for key in ("add", "reset"))
@@ -811,6 +786,14 @@ class SmootherOnline(Board):
             self.history.append((z, self.x[0], self.P[0, 0]))
         self.redraw()
 
+    def figure(self):
+        """The last 200 measurements and what became of them."""
+        z, x, P = np.array(self.history[-200:]).T
+        first = len(self.history) - len(z)
+        figure = plots.series(np.arange(first + 1, first + len(z) + 1), z, x, np.sqrt(P))
+        figure.axes[0].set_xlim(first, first + 50 * math.ceil(len(z) / 50))
+        return figure
+
     def redraw(self):
         self.plot.layout.display = None if self.history else "none"
         if not self.history:
@@ -818,10 +801,6 @@ class SmootherOnline(Board):
             return
         z, x, P = np.array(self.history).T
         k = np.arange(1, len(z) + 1)
-        recent = slice(-200, None)
-        self.figure = plots.series(k[recent], z[recent], x[recent], np.sqrt(P[recent]))
-        first = k[recent][0] - 1
-        self.figure.axes[0].set_xlim(first, first + 50 * math.ceil((k[-1] - first) / 50))
         self.plot.draw(self.figure)
         cells = [f"{k[-1]}", f"{z[-1]:.6g}", f"{self.K[0, 0]:.6f}", f"{x[-1]:.6f}", f"{P[-1]:.6g}"]
         self.numbers.value = _table(["k", "z", "K", "x", "P"], ["".join(f"<td>{cell}</td>" for cell in cells)])
@@ -898,9 +877,8 @@ class GyroFlight(Board):
         some = slice(None, None, -(-len(flight.z) // PLOT_POINTS))
         rows = [{name: part[some] if isinstance(part, np.ndarray) else part for name, part in row.items()}
                 for row in gyro_paper.layout(p, flight, result)]
-        figures = [plots.series(**row, xlabel="$t$ (s)", height=2.2) for row in rows]
-        for screen, figure in zip((self.angle, self.errors), figures):
-            screen.draw(figure)
+        for screen, row in zip((self.angle, self.errors), rows):
+            screen.draw(lambda: plots.series(**row, xlabel="$t$ (s)", height=2.2))
         self.rows, self.result = rows, (flight, result, self.seed)
         self.redraw()
 
@@ -969,7 +947,6 @@ class Beetle(Board):
         self.noise, self.restart = (_wide(self.label(widgets.Button(), key)) for key in ("noise", "reset"))
         self.sentence = widgets.HTML(layout=widgets.Layout(width="98%", min_height="6em"))
         self.plot, self.spread = Screen(), Screen()
-        self.figure = None
 
         def under(key, part):
             return widgets.VBox([self.label(widgets.Label(), key, "value"), part])
@@ -1020,16 +997,26 @@ class Beetle(Board):
         self.printed.value = p.R if p.R in beetle_paper.PRINTED_R else None
         self.quiet = False
         self.current = p, walk, result, self.shares(model, result)
-        t = p.dt * np.arange(1, steps + 1)
-        self.figure = plots.series(t, walk.z[:, 0], result.x[:, 0], np.sqrt(result.P[:, 0, 0]), walk.x[:, 0],
-                                   names={"x": "$d$", "truth": r"$d_{\mathrm{true}}$"}, xlabel="$t$ (s)", ylabel="cm")
-        self.figure.axes[0].set_xlim(0, 1.02 * self.SECONDS)
         self.plot.draw(self.figure)
-        t = np.concatenate(([0], t))
-        signs = {"theta": r"$\sigma_\theta$", "v": r"$\sigma_v$", "s": r"$\sigma_s$"}
-        shares = {signs[name]: (t, share) for name, share in self.current[3].items()}
-        self.spread.draw(plots.curve(shares, "$t$ (s)", r"$\sigma\,/\,\sigma_0$", ylim=(0, 1.2), height=3.0))
+        self.spread.draw(self.spreads)
         self.redraw()
+
+    def figure(self):
+        """The distance: measured, filtered, true."""
+        p, walk, result, _ = self.current
+        t = p.dt * np.arange(1, len(walk.z) + 1)
+        figure = plots.series(t, walk.z[:, 0], result.x[:, 0], np.sqrt(result.P[:, 0, 0]), walk.x[:, 0],
+                              names={"x": "$d$", "truth": r"$d_{\mathrm{true}}$"}, xlabel="$t$ (s)", ylabel="cm")
+        figure.axes[0].set_xlim(0, 1.02 * self.SECONDS)
+        return figure
+
+    def spreads(self):
+        """What is left of the initial standard deviations."""
+        p, walk, _, shares = self.current
+        t = p.dt * np.arange(len(walk.z) + 1)
+        signs = {"theta": r"$\sigma_\theta$", "v": r"$\sigma_v$", "s": r"$\sigma_s$"}
+        return plots.curve({signs[name]: (t, share) for name, share in shares.items()}, "$t$ (s)",
+                           r"$\sigma\,/\,\sigma_0$", ylim=(0, 1.2), height=3.0)
 
     @staticmethod
     def shares(model, result):
@@ -1059,7 +1046,7 @@ class Beetle(Board):
 def ship(p=None):
     """Chapter 4: the source's AR(2) filter on a towing run or on the reader's own file. p is a ship.Params or None."""
     board = ShipRun(p)
-    show(board.view, "ship", board.figure)
+    show(board.view, "ship", board.figure())
 
 
 class ShipRun(OwnData):
@@ -1189,22 +1176,17 @@ class ShipRun(OwnData):
             result = rts_smooth(kalman_filter(model, z, u=np.ones(len(z))))
             x, P = result.x[:, 0], result.P[:, 0, 0]
         some = slice(None, None, -(-len(z) // PLOT_POINTS))
-        figure = plots.series(t[some], z[some], x[some], np.sqrt(P[some]), truth=None if truth is None else truth[some],
-                              names={"x": "$x_s$" if self.smooth.value else "$x$"}, xlabel="$t$ (s)", ylabel="m/s")
+
+        def figure():
+            return plots.series(t[some], z[some], x[some], np.sqrt(P[some]), truth=None if truth is None else truth[some],
+                                names={"x": "$x_s$" if self.smooth.value else "$x$"}, xlabel="$t$ (s)", ylabel="m/s")
+
         self.plot.draw(figure)
-        self.circle.draw(self.poles(p))
+        self.circle.draw(lambda: plots.poles({"$p$": ship_paper.poles(p.a1, p.a2)}, height=3.4))
         for part in (self.time, self.speed):
             part.layout.display = None if self.columns else "none"
         self.figure, self.data, self.result = figure, data, (p, x, nis(y[:, np.newaxis], S[:, np.newaxis, np.newaxis]), sampled)
         self.redraw()
-
-    def poles(self, p):
-        """The poles as a Screen can draw them: it fixes the axes, so the limits must make the circle round."""
-        figure = plots.poles({"$p$": ship_paper.poles(p.a1, p.a2)}, height=3.4)
-        ax, width, height = figure.axes[0], 0.84 * figure.get_figwidth(), figure.get_figheight() - 0.80
-        ax.set(aspect="auto", xlim=np.array(ax.get_ylim()) * width / height)
-        ax.locator_params(axis="y", nbins=5)        # short numbers, which leave room for the label
-        return figure
 
     def redraw(self):
         """Write the result in the current language."""
@@ -1279,7 +1261,7 @@ class Quadrotor(Board):
 
     def __init__(self, p=None):
         super().__init__()
-        self.p, self.seed = p or quadrotor_paper.Params(), SEED
+        self.p, self.seed = p or quadrotor_paper.Params(dt=0.05), SEED        # fewer samples: a quicker answer
         meta = describe(quadrotor_paper.Params)
         self.words = {**self.words, **{name: {language: f"{meta[name][language]} ({meta[name]['unit']})".replace(" ()", "")
                                               for language in ("id", "en")} for name in self.SLIDERS}}
@@ -1376,7 +1358,7 @@ class Quadrotor(Board):
         if caught:
             self.tell(caught[0].message)
         for screen, row in zip(self.plots, self.rows()):
-            screen.draw(plots.series(**row, xlabel="$t$ (s)", height=1.7))
+            screen.draw(lambda: plots.series(**row, xlabel="$t$ (s)", height=1.7))
         self.quiet, self.moment.max, self.quiet = True, float(t[-1]), False
         self.turn()
         self.redraw()
@@ -1407,7 +1389,7 @@ class Quadrotor(Board):
 
     def turn(self):
         """Draw the craft at the chosen moment."""
-        self.craft.draw(plots.craft(self.moments(self.moment.value), height=3.0))
+        self.craft.draw(lambda: plots.craft(self.moments(self.moment.value), height=3.0))
 
     def redraw(self):
         """Write the outcome in the current language."""

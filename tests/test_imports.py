@@ -16,9 +16,10 @@ ALLOWED = {     # file -> what of our own it may import, and which packages; the
     "__init__.py": ({"models", "metrics", "simulate", "filters"}, set()),
     "spreadsheet.py": (set(), NUMERICS | {"openpyxl"}),
     "recording.py": ({"spreadsheet"}, NUMERICS),
-    "plots.py": ({"metrics", "models", "papers"}, NUMERICS | {"matplotlib", "PIL"}),
-    "widgets.py": ({"models", "metrics", "simulate", "filters", "papers", "plots", "recording", "spreadsheet"},
-                   NUMERICS | {"ipywidgets", "IPython", "matplotlib"}),
+    "sketch.py": (set(), NUMERICS),
+    "plots.py": ({"metrics", "models", "papers", "sketch"}, NUMERICS | {"matplotlib", "PIL"}),
+    "widgets.py": ({"models", "metrics", "simulate", "filters", "papers", "plots", "spreadsheet", "recording"},
+                   NUMERICS | {"ipywidgets", "IPython"}),
 }
 PAPER = ({"models", "simulate", "papers"}, NUMERICS)        # "papers": only the package itself, see below
 

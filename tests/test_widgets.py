@@ -235,7 +235,7 @@ def test_a_long_series_shows_its_ends_and_stays_quick_to_read():
     shown = rows(form)
     assert len(shown) == 1001 and shown[500] == ["⋮"] * 3 and shown[499][0] == "500" and shown[501][0] == "29501"
     assert "29000 baris" in form.table.value and form.source.value == "given"
-    assert len(form.figure.axes[0].lines[0].get_xdata()) <= widgets.PLOT_POINTS
+    assert len(form.figure().axes[0].lines[0].get_xdata()) <= widgets.PLOT_POINTS and len(form.plot.value) < 150_000
 
 
 @pytest.mark.parametrize("z", [[3.0], [3.0, 3.0], [1e300, -1e300, 0.0], [np.nan, 1.0, np.nan]])
@@ -362,11 +362,11 @@ def test_no_ellipse_is_ever_clipped_and_the_axes_stand_still(Q, R):
         assert steps.message.value == ""
         ax = steps.ellipses().axes[0]
         limits.add((ax.get_xlim(), ax.get_ylim()))
-        for patch in ax.patches:
-            if isinstance(patch, widgets.plots.Ellipse):
-                box = patch.get_path().transformed(patch.get_patch_transform()).get_extents()
-                assert ax.get_xlim()[0] <= box.x0 and box.x1 <= ax.get_xlim()[1]
-                assert ax.get_ylim()[0] <= box.y0 and box.y1 <= ax.get_ylim()[1]
+        outlines = [line.get_xydata() for line in ax.lines if len(line.get_xdata()) > 100]
+        assert outlines
+        for outline in outlines:
+            assert ax.get_xlim()[0] <= outline[:, 0].min() and outline[:, 0].max() <= ax.get_xlim()[1]
+            assert ax.get_ylim()[0] <= outline[:, 1].min() and outline[:, 1].max() <= ax.get_ylim()[1]
     assert len(limits) == 1
 
 
@@ -376,15 +376,6 @@ def test_every_step_has_another_picture():
     for steps.moment.value in range(11):
         pictures |= {steps.plane.value, steps.bells.value}
     assert len(pictures) == 22
-
-
-def test_a_picture_drawn_over_kept_axes_equals_one_drawn_from_scratch():
-    steps = widgets.TheorySteps()
-    steps.moment.value = 4
-    kept = steps.plane.value
-    fresh = widgets.Screen()
-    fresh.draw(steps.ellipses())
-    assert kept == fresh.value
 
 
 # --- one measurement at a time ---------------------------------------------------------------------------------------
@@ -639,16 +630,18 @@ def test_the_ship_s_smoother_is_rts_smooth():
     assert np.array_equal(x, rts_smooth(kalman_filter(ship.model(p), z, u=np.ones(len(z)))).x[:, 0])
 
 
+def corners(svg):
+    """Left, right, top and bottom of the longest line of a drawing, in its own units."""
+    longest = max(re.findall(r'd="(M[^"HVhz]*)"', svg), key=len)
+    x, y = np.array(re.findall(r"-?[\d.]+", longest), dtype=float).reshape(-1, 2).T
+    return x.min(), x.max(), y.min(), y.max()
+
+
 def test_the_unit_circle_is_round_and_stays_so():
     board = widgets.ShipRun()
-    board.new.click()                           # drawn over kept axes
-    fresh = widgets.Screen()
-    figure = board.poles(drawn(board)[1][0])
-    fresh.draw(figure)
-    assert board.circle.value == fresh.value
-    ax = figure.axes[0]
-    (left, bottom), (right, top) = ax.transData.transform([(-1, -1), (1, 1)])
-    assert right - left == pytest.approx(top - bottom, rel=1e-6) and ax.lines[0].get_xdata().max() == pytest.approx(1)
+    board.new.click()
+    left, right, top, bottom = corners(board.circle.value)
+    assert right - left == pytest.approx(bottom - top, abs=0.2) and right - left > 100
 
 
 def test_a_reader_s_towing_file_in_other_units():
@@ -722,7 +715,7 @@ def test_a_long_towing_file_stays_quick_and_refuses_only_the_smoother():
     board = widgets.ShipRun()
     board.text.value = pasted(np.arange(20_000), z)
     assert board.message.value == "" and len(drawn(board)[1][1]) == 20_000
-    assert len(board.figure.axes[0].lines[0].get_xdata()) <= widgets.PLOT_POINTS
+    assert len(board.figure().axes[0].lines[0].get_xdata()) <= widgets.PLOT_POINTS and len(board.plot.value) < 150_000
     board.smooth.value = True
     assert "5000" in board.message.value
 
@@ -781,10 +774,6 @@ def test_the_craft_turns_with_the_moment(quick):
     before = board.craft.value
     board.moment.value = 65.0
     assert board.craft.value != before and list(board.moments(65))[0] == "65 s"
-    figure = widgets.plots.craft(board.moments(65), height=3.0)
-    widgets.Screen().draw(figure)
-    (left, bottom), (right, top) = figure.axes[0].transData.transform([(-1, -1), (1, 1)])
-    assert right - left == pytest.approx(top - bottom, rel=1e-6)
 
 
 def phone_file(seconds, rest=4.0):

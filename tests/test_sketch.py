@@ -1,0 +1,98 @@
+"""The quick drawings of the widgets: they show what matplotlib shows, at the places where it shows it."""
+import re
+import xml.etree.ElementTree as ET
+
+import numpy as np
+import pytest
+
+from kalman_lib import plots
+from kalman_lib.sketch import Axes, log_ticks, tick_words, ticks
+
+RNG = np.random.default_rng(0)
+T = np.arange(1, 101)
+FIGURES = {
+    "series": lambda: plots.series(T, z=RNG.normal(size=100), x=np.sin(T / 9), sigma=0.2 + 0 * T, truth=np.cos(T / 9),
+                                   rivals={"MA(3)": np.sin(T / 8)}, names={"x": r"$x_{\mathrm{pred},1}$"}, ylabel="m/s"),
+    "curve": lambda: plots.curve({r"$\sigma_\theta$": (T, T ** 2.0)}, "$t$ (s)", r"$\sigma\,/\,\sigma_0$", log=True,
+                                 points={"<a&b>": (10, 100)}, ylim=(0, None)),
+    "gaussians": lambda: plots.gaussians({"$z$": (1.0, 0.5, plots.MEASUREMENT), "$x_1$": (2.0, 0.1, plots.ESTIMATE)}),
+    "ellipses": lambda: plots.ellipses({"$x_0$": (np.array([0, 5]), np.diag([0.01, 1]), plots.PREDICTION)}, z=2.2, R=0.05),
+    "poles": lambda: plots.poles({"$p$": np.array([0.5 + 0.5j, 0.9])}),
+    "craft": lambda: plots.craft({"0 s": ((0.1, -0.2, 1.0), (0, 0, 1.0))}),
+}
+
+
+def sketch(name):
+    with plots.live():
+        return FIGURES[name]()
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_every_figure_of_a_widget_is_well_formed_svg_without_nan(name):
+    svg = sketch(name).svg()
+    ET.fromstring(svg)
+    assert "nan" not in svg and "inf" not in svg and "$" not in svg and "\\" not in svg
+    assert isinstance(FIGURES[name](), plots.Figure)        # outside the block: matplotlib as ever
+
+
+@pytest.mark.parametrize("name", ["series", "curve", "gaussians", "ellipses"])
+def test_the_legend_and_the_axes_say_what_matplotlib_says(name):
+    words = re.sub(r"\s|\u200b|\u2009", "", "".join(ET.fromstring(sketch(name).svg()).itertext()))
+    ax = FIGURES[name]().axes[0]
+    labels = [ax.get_xlabel(), ax.get_ylabel(), *ax.get_legend_handles_labels()[1]]
+    assert len(labels) > 2
+    for label in labels:
+        plain = re.sub(r"\\mathrm|\\,|[${}_\s]", "", label.replace(r"\sqrt", "√").replace(r"\pm", "±")
+                       .replace(r"\sigma", "σ").replace(r"\theta", "θ"))
+        assert plain in words, label
+
+
+def test_lines_stand_where_the_axes_say():
+    """The corners of a line from (0, 0) to (10, 5) on axes with these limits, and the grid at 2."""
+    ax = Axes()
+    ax.set(xlim=(0, 10), ylim=(0, 5))
+    ax.plot([0, 10], [0, 5], color="#123456")
+    svg = ax.svg(480, 300)
+    w, h = map(float, re.search(r'<svg width="([\d.]+)" height="([\d.]+)"', svg).groups())
+    assert f'd="M0.0 {h:.1f} {w:.1f} 0.0"' in svg
+    assert f"M{w / 5:.1f} 0V{h:.1f}" in svg
+
+
+def test_a_gap_interrupts_a_line_and_hides_a_dot():
+    ax = Axes()
+    ax.plot([0, 1, 2, 3], [0, np.nan, 2, 3], color="#123456")
+    ax.plot([0, 1, 2, 3], [0, np.nan, 2, 3], "o", color="#654321")
+    svg = ax.svg(480, 300)
+    line = re.search(r'd="([^"]*)" stroke="#123456"', svg)[1]
+    dots = re.search(r'd="([^"]*)" stroke="#654321"', svg)[1]
+    assert line.count("M") == 2 and dots.count("M") == 3
+
+
+def test_a_long_line_keeps_its_peaks():
+    y = np.zeros(100_000)
+    y[54_321] = 7.0
+    ax = Axes()
+    ax.plot(np.arange(len(y)), y, color="#123456")
+    svg = ax.svg(480, 300)
+    assert len(svg) < 40_000
+    places = np.array(re.findall(r"-?[\d.]+", re.search(r'd="M([^"]*)" stroke="#123456"', svg)[1]), dtype=float)
+    assert places[1::2].min() < 0.06 * places[1::2].max()
+
+
+@pytest.mark.parametrize("low, high, most, expected", [
+    (0, 20, 5, [0, 5, 10, 15, 20]), (-0.51, -0.26, 6, [-0.5, -0.45, -0.4, -0.35, -0.3]), (0, 0.9, 10, np.arange(10) / 10), (3, 3, 5, [])])
+def test_ticks_are_round(low, high, most, expected):
+    assert np.allclose(ticks(low, high, most), expected)
+
+
+def test_log_ticks_and_their_words():
+    assert np.allclose(log_ticks(0.01, 1000), [0.01, 0.1, 1, 10, 100, 1000])
+    assert np.allclose(log_ticks(1, 8), [1, 2, 5])
+    assert [tick_words(v, [-0.5, 0.0, 0.5]) for v in (-0.5, 0.0, 0.5)] == ["−0.5", "0.0", "0.5"]
+    assert tick_words(2e6, [0, 2e6]) == "2e+06"
+
+
+def test_words_are_escaped():
+    with plots.live():
+        svg = plots.series(T, x=1.0 * T, names={"x": "<script>"}).svg()
+    assert "<script>" not in svg and "&lt;script&gt;" in svg
