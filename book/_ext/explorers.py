@@ -1,0 +1,67 @@
+"""The live explorers: one classic script and one style sheet, made from book/explorers and loaded where they are needed.
+
+The modules are bundled by esbuild, because a browser refuses ES modules from file://. Every file in book/explorers/papers
+belongs to the paper of the same name, and its ranges and words come from the Params of that paper. The script defines
+KalmanExplorers, which holds the rooms and the papers, for the tests.
+
+`python book/_ext/explorers.py FOLDER` writes both files into FOLDER and does nothing else.
+"""
+import importlib
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import offline
+
+SOURCES = offline.BOOK / "explorers"
+TARGET = offline.VENDOR / "explorers"
+ROOMS = ("filters", "linalg", "metrics", "random", "words")
+
+
+def entry(sources):
+    """The text of the module that joins everything: papers found in the folder, their tables from Python."""
+    from kalman_lib.papers import describe
+    papers = sorted(path.stem for path in (sources / "papers").glob("*.js"))
+    tables = {name: describe(importlib.import_module(f"kalman_lib.papers.{name}").Params) for name in papers}
+    modules = {**{name: f"papers/{name}.js" for name in papers}, **{name: f"{name}.js" for name in (*ROOMS, "explorer")}}
+    lines = [f"import * as {name} from {json.dumps((sources / path).as_posix())};" for name, path in modules.items()]
+    lines += [f"const tables = {json.dumps(tables, ensure_ascii=False)}, papers = {{ {', '.join(papers)} }};",
+              "explorer.define(papers, tables);", f"export {{ papers, tables, {', '.join(ROOMS)} }};"]
+    return "\n".join(lines)
+
+
+def bundle(target=TARGET, sources=SOURCES):
+    """Write explorers.js and explorers.css into the folder target."""
+    target.mkdir(parents=True, exist_ok=True)
+    program = offline.NODE_MODULES / "esbuild" / "bin" / "esbuild"
+    script = program.read_bytes()[:2] == b"#!"        # npm may have put the program itself in the place of its starter
+    run = [str(offline.node_binary()), str(program)] if script else [str(program)]
+    options = ["--minify", "--target=es2022", "--charset=utf8", "--log-level=warning"]
+    steps = [([*options, "--bundle", "--format=iife", "--global-name=KalmanExplorers"], entry(sources), "explorers.js"),
+             ([*options, "--loader=css"], (sources / "explorer.css").read_text(encoding="utf-8"), "explorers.css")]
+    for arguments, text, name in steps:
+        made = subprocess.run([*run, *arguments], input=text, capture_output=True, encoding="utf-8", cwd=sources)
+        if made.returncode != 0 or made.stderr:
+            sys.exit(f"book/explorers could not be bundled ({name}):\n{made.stderr}")
+        if not (target / name).exists() or (target / name).read_text(encoding="utf-8") != made.stdout:
+            (target / name).write_text(made.stdout, encoding="utf-8")
+
+
+def load(app, pagename, templatename, context, doctree):
+    """Script and style sheet, only on a page that holds an explorer."""
+    if "<kalman-explorer" in context.get("body", ""):
+        app.add_js_file("vendor/explorers/explorers.js", loading_method="defer")
+        app.add_css_file("vendor/explorers/explorers.css")
+
+
+def setup(app):
+    offline.install()
+    bundle()
+    app.connect("html-page-context", load)
+    return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}
+
+
+if __name__ == "__main__":
+    offline.install()
+    bundle(Path(sys.argv[1]))
