@@ -140,8 +140,9 @@ class Explorer {
     this.details = make("details", { className: "explorer-numbers" }, make("summary", { textContent: this.say("numbers") }), this.table);
     this.details.addEventListener("toggle", () => this.fillNumbers());
     this.section = make("div", { className: "explorer", id, role: "region", "aria-label": t.say(view.name) },
-      make("div", { className: "explorer-figures" }, ...first.map(plot => plot.element)),
-      this.outcome, this.live, this.message, controls, fixed, this.equations, this.facts,
+      make("div", { className: "explorer-stage" }, make("div", { className: "explorer-figures first" }, ...first.map(plot => plot.element)),
+        this.outcome, this.live, this.message, controls, fixed),
+      this.equations, this.facts,
       make("div", { className: "explorer-figures" }, ...after.map(plot => plot.element)),
       ...(view.question ? [this.handCheck()] : []), this.details);
     this.element.append(this.section);
@@ -528,7 +529,7 @@ class Explorer {
         const value = number(this.given.value), { answer, tolerance = 0.01, hint } = this.question;
         const right = Math.abs(value - answer) <= tolerance * Math.abs(answer) + 1e-12;
         this.verdict.className = `explorer-verdict ${right ? "right" : "wrong"}`;
-        this.verdict.textContent = right ? this.say("right", { value: this.t.decimal(answer, 4) }) : hint(value);
+        this.verdict.replaceChildren(label(right ? this.say("right", { value: this.t.decimal(answer, 4) }) : hint(value)));
       } catch (error) {
         this.verdict.className = "explorer-verdict wrong";
         this.verdict.textContent = error[this.t.language] ?? error.message;
@@ -540,8 +541,9 @@ class Explorer {
   ask() {
     if (!this.view.question) return;
     this.question = this.view.question(this.r, this.shown, this.t, generator(this.asked));
-    if (this.asks.textContent === this.question.text) return;
-    this.asks.textContent = this.question.text;
+    if (this.asks.dataset.text === this.question.text) return;
+    this.asks.dataset.text = this.question.text;
+    this.asks.replaceChildren(label(this.question.text));
     this.verdict.textContent = this.given.value = "";
     this.verdict.className = "explorer-verdict";
   }
@@ -568,51 +570,47 @@ function fillTable(table, { head, rows }) {
   }));
 }
 
-const MATHML = "http://www.w3.org/1998/Math/MathML";
-const math = (tag, ...children) => {
-  const element = document.createElementNS(MATHML, tag);
-  element.append(...children);
-  return element;
-};
-
-/** Lines of words and matrices as MathML; while their shape stays, only the numbers are renewed. */
+/** Lines of words and matrices; while their shape stays, only the numbers are renewed. A screen reader hears the line. */
 function fillEquations(box, lines) {
   const leaves = [], shape = [];
   const word = text => {
     const [, base, low, high] = /^([^_^]+)(?:_([^^]+))?(?:\^(.+))?$/.exec(text) || [, text];
-    const tag = /^[\d.,\u2212]+$/.test(base) ? "mn" : /^\p{L}+$/u.test(base) ? "mi" : "mo";
-    shape.push(`${tag}${low || ""}^${high || ""}`);
+    const kind = /^\p{L}+$/u.test(base) ? "i" : "span";
+    shape.push(`${kind}_${low || ""}^${high || ""}`);
     leaves.push(base);
-    return () => {
-      const leaf = math(tag, base);
-      const parts = [leaf, ...(low ? [math(low.length > 1 ? "mtext" : /\d/.test(low) ? "mn" : "mi", low)] : []), ...(high ? [math(/\d/.test(high) ? "mn" : "mi", high)] : [])];
-      return [leaf, parts.length === 1 ? leaf : math(low && high ? "msubsup" : low ? "msub" : "msup", ...parts)];
-    };
+    return { kind, base, low, high };
   };
   const plan = lines.map(line => {
     shape.push("/");
     return line.flatMap(part => {
       if (!part.matrix) return part.split(" ").filter(Boolean).map(word);
       shape.push(`[${part.matrix.map(row => row.length)}]`);
-      return [{ rows: part.matrix.map(row => row.map(cell => cell.split(" ").map(word))) }];
+      return [{ columns: part.matrix[0].length, cells: part.matrix.flat().map(word) }];
     });
   });
   const key = shape.join(" ");
-  if (box.dataset.shape === key) {
+  if (box.dataset.shape !== key) {
+    box.dataset.shape = key;
+    box.leaves = [];
+    const place = ({ kind, base, low, high }) => {
+      const leaf = make(kind, { textContent: base });
+      box.leaves.push(leaf);
+      return make("span", {}, leaf, ...(low ? [make("sub", { textContent: low })] : []), ...(high ? [make("sup", { textContent: high })] : []));
+    };
+    box.replaceChildren(...plan.map((line, i) => {
+      const row = make("div", { className: `explorer-line ${lines[i][0].startsWith?.("=") ? "more" : ""}`, role: "img" });
+      row.append(...line.map(part => {
+        if (!part.cells) return place(part);
+        const matrix = make("span", { className: "explorer-matrix" }, ...part.cells.map(place));
+        matrix.style.gridTemplateColumns = `repeat(${part.columns}, auto)`;
+        return matrix;
+      }));
+      return row;
+    }));
+  } else {
     box.leaves.forEach((leaf, i) => setText(leaf, leaves[i]));
-    return;
   }
-  box.dataset.shape = key;
-  box.leaves = [];
-  const placed = make_word => { const [leaf, element] = make_word(); box.leaves.push(leaf); return element; };
-  box.replaceChildren(...plan.map((line, i) => {
-    const row = math("mrow", ...line.map(part => !part.rows ? placed(part) : math("mrow", math("mo", "["),
-      math("mtable", ...part.rows.map(cells => math("mtr", ...cells.map(cell => math("mtd", ...cell.map(placed)))))), math("mo", "]"))));
-    const element = math("math", row);
-    element.setAttribute("display", "block");
-    if (/^[=]/.test(lines[i][0])) element.classList.add("more");
-    return element;
-  }));
+  lines.forEach((line, i) => box.children[i].setAttribute("aria-label", line.map(part => part.matrix ? `[${part.matrix.map(row => row.join(" ")).join("; ")}]` : part).join(" ")));
 }
 
 /** Define the element for all papers: papers is name -> module, tables is name -> the fields of its Params. */

@@ -76,7 +76,7 @@ export class Plot {
     this.element = make("div", { className: `explorer-plot ${spec.half ? "half" : ""}` });
     this.words = make("div", { className: "explorer-legend" });
     this.canvas = make("canvas", { role: "img" });
-    this.canvas.style.height = `${spec.height || 190}px`;
+    this.canvas.style.height = `calc(${spec.height || 190}px * var(--explorer-height, 1))`;
     this.canvas.setAttribute("aria-label", speaker.say(spec.alt));
     this.title = make("span", { className: "explorer-title" });
     this.title.append(label(speaker.say(spec.title)));
@@ -123,7 +123,7 @@ export class Plot {
 
   axes(xlim, ylim, x0, x1, y0, y1) {
     const { ctx, spec } = this;
-    const xs = (spec.xlog ? powers : ticks)(...xlim, Math.floor((x1 - x0) / 70)), ys = (spec.ylog ? powers : ticks)(...ylim, Math.floor((y0 - y1) / 34));
+    const xs = (spec.xlog ? powers : ticks)(...xlim, Math.floor((x1 - x0) / 70)), ys = (spec.ylog ? powers : ticks)(...ylim, Math.round((y0 - y1) / 30));
     ctx.lineWidth = 1;
     ctx.setLineDash([]);
     ctx.strokeStyle = colours.grid;
@@ -242,7 +242,7 @@ export class Plot {
 
   /** The legend is text of the page, so that it grows with it and can be read aloud. */
   renewLegend(layers) {
-    const named = layers.filter(layer => layer.label), key = named.map(layer => layer.look + layer.label).join("|");
+    const named = layers.filter(layer => layer.label), key = named.map(layer => layer.look + this.speaker.say(layer.label)).join("|");
     if (key === this.legend) return;
     this.legend = key;
     this.keys.replaceChildren(...named.map(layer => {
@@ -250,7 +250,7 @@ export class Plot {
       const kind = layer.mark || look.dots ? "dots" : look.band ? "filled" : layer.look;
       const swatch = make("i", { className: `explorer-swatch ${kind}` });
       swatch.style.setProperty("--colour", `var(--explorer-${layer.look})`);
-      item.append(swatch, label(this.speaker.say(layer.label)));
+      item.append(swatch, make("span", {}, label(this.speaker.say(layer.label))));
       return item;
     }));
   }

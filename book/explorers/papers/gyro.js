@@ -173,14 +173,13 @@ function outcome(r, s, t) {
 }
 
 function facts(r, s, t) {
-  const [K, sigma] = steady(r.believed), last = r.T - 1, all = study(r), d = value => t.decimal(value);
+  const [K, sigma] = steady(r.believed), last = r.T - 1, d = value => t.decimal(value);
   return {
     head: ["", t.say({ id: "langkah pertama", en: "first step" }), t.say({ id: "langkah terakhir", en: "last step" }), t.say({ id: "keadaan tunak", en: "steady state" })],
     rows: [["K", d(r.filter.K[0]), d(r.filter.K[last]), d(K)],
            ["√P (rad)", d(r.root[0]), d(r.root[last]), d(sigma)],
            [t.say({ id: "galat sebenarnya (rad)", en: "true error (rad)" }), d(Math.sqrt(r.runs.e2[0] / r.runs.count)), d(Math.sqrt(r.runs.e2[last] / r.runs.count)), d(error_with_gain(s, K))],
-           [t.say({ id: "optimum (rad)", en: "optimum (rad)" }), d(Math.sqrt(r.runs.best2[0] / r.runs.count)), d(Math.sqrt(r.runs.best2[last] / r.runs.count)), d(steady(s)[1])],
-           [`RMSE / ${t.say({ id: "optimum", en: "optimum" })}`, "", t.decimal(all.rmse / all.optimum), ""]],
+           [t.say({ id: "optimum (rad)", en: "optimum (rad)" }), d(Math.sqrt(r.runs.best2[0] / r.runs.count)), d(Math.sqrt(r.runs.best2[last] / r.runs.count)), d(steady(s)[1])]],
   };
 }
 
@@ -265,7 +264,8 @@ export const views = {
         } },
       { title: { id: "Penguatan K", en: "Gain K" }, xlabel: "t (s)", height: 150, half: true, after: true,
         alt: { id: "Grafik penguatan terhadap waktu dan nilainya pada keadaan tunak.", en: "Plot of the gain against time and its steady value." },
-        draw: r => ({ xlim: [0, r.t[r.T - 1]], ylim: [0, 1], layers: [
+        draw: r => ({ xlim: [0, r.t[r.T - 1]], layers: [
+          { look: "quiet", level: 0 },
           { look: "quiet", level: steady(r.believed)[0], label: { id: "tunak", en: "steady" } },
           { look: "estimate", x: r.t, y: r.filter.K, label: "K" }] }) },
       { title: "√P (rad)", xlabel: "t (s)", height: 150, half: true, after: true,

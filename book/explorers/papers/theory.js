@@ -86,7 +86,8 @@ function plane(r, s) {
 function bells(r) {
   const R = r.model.R[0], z = r.z[r.k - 1], known = shown(r).map(([look, label, { x, P }]) => [look, label, x[0], P[0]]);
   if (r.kind === 2) known.splice(1, 0, ["measurement", "z", z, R]);
-  const least = Math.min(R, ...r.beliefs.slice(Math.max(0, 2 * r.k - 2), 2 * r.k + 1).map(({ P }) => P[0]));
+  const { k, kind } = r, ends = kind === 0 ? [0] : kind === 1 ? [2 * k - 2, 2 * k - 1] : [2 * k - 1, 2 * k];
+  const least = Math.min(kind === 2 ? R : Infinity, ...ends.map(i => r.beliefs[i].P[0]));
   const top = 2 ** Math.ceil(Math.log2(1.05 / Math.sqrt(2 * Math.PI * least)));
   return { xlim: r.limits.x, ylim: [0, top], layers: known.map(([look, label, mean, variance]) => {
     const curve = bell(mean, variance, r.limits.x);

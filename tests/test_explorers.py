@@ -1,0 +1,525 @@
+"""The live explorers of the built book: the same numbers as Python, usable by everyone, and nothing a reader types can harm.
+
+Papers are found in kalman_lib.papers, explorers in the built pages; none is listed here.
+"""
+import dataclasses
+import functools
+import gzip
+import http.server
+import importlib
+import inspect
+import json
+import math
+import pkgutil
+import re
+import threading
+
+import numpy as np
+import pytest
+
+import kalman_lib.papers
+from kalman_lib import chi2_bounds, kalman_filter, nees, nis, rmse, rts_smooth
+from kalman_lib.papers import describe
+from conftest import ROOT
+
+SOURCES = ROOT / "book" / "explorers"
+PAPERS = sorted(module.name for module in pkgutil.iter_modules(kalman_lib.papers.__path__))
+NOT_YET = {"smoother", "ship", "beetle"}    # their models are here, what the page shows is not: the picture stays
+PHONE = {"width": 390, "height": 844}
+SETS = 50
+RELATIVE, SCALE = 1e-9, 1e-12               # |js - py| <= RELATIVE |py| + SCALE max |py| of that component over time
+
+# Texts that are the same in both languages on purpose
+SAME_TEXT = {"optimum (rad)"}
+
+RUN = """text => {
+  const { papers, filters, metrics } = KalmanExplorers;
+  const numbers = list => list && Float64Array.from(list, value => value === null ? NaN : value);
+  return JSON.stringify(JSON.parse(text).map(({ paper, p, z, u, x }) => {
+    const { model, run, twins = {} } = papers[paper];
+    const data = { z: numbers(z), u: numbers(u), x: numbers(x) }, { n, m } = model(p);
+    data.T = data.z.length / m;
+    const result = run(p, data), smooth = filters.rtsSmooth(result), out = {};
+    for (const name of ["x_pred", "P_pred", "x", "P", "y", "S", "K"]) out[name] = Array.from(result[name]);
+    Object.assign(out, { x_smooth: Array.from(smooth.x), P_smooth: Array.from(smooth.P),
+      rmse: Array.from(metrics.rmse(data.x, result.x, n)), nees: Array.from(metrics.nees(data.x, result.x, result.P, n)),
+      nis: Array.from(metrics.nis(result.y, result.S, m)) });
+    out.twins = Object.fromEntries(Object.entries(twins).map(([name, call]) => [name, [call(p, data, result)].flatMap(value => typeof value === "number" ? [value] : Array.from(value))]));
+    return out;
+  }));
+}"""
+
+
+# --- the pages ------------------------------------------------------------------------------------------------------
+
+@pytest.fixture(scope="module")
+def server(site):
+    class Quiet(http.server.SimpleHTTPRequestHandler):
+        def log_message(self, *args):
+            pass
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(site))) as httpd:
+        threading.Thread(target=httpd.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{httpd.server_port}"
+        httpd.shutdown()
+
+
+def pages_with_explorers(site, language):
+    return [path for path in sorted((site / language).rglob("*.html")) if "<kalman-explorer" in path.read_text(encoding="utf-8")]
+
+
+@pytest.fixture(scope="module")
+def opened(site, server, chromium):
+    """A page with an explorer -> a browser page that is ready, and what went wrong on it. Kept open for all tests."""
+    kept, contexts = {}, []
+
+    def open_page(path, hash="", base=server, **options):
+        key = (path, hash, base, tuple(sorted(map(str, options.items()))))
+        if key not in kept:
+            context = chromium.new_context(**{"viewport": PHONE, "reduced_motion": "reduce", "service_workers": "block", **options})
+            contexts.append(context)
+            page, trouble = context.new_page(), []
+            page.on("console", lambda message: trouble.append(message.text) if message.type == "error" else None)
+            page.on("pageerror", lambda error: trouble.append(f"{error}\n{error.stack}"))
+            page.goto(f"{base}/{path.relative_to(site).as_posix()}{hash}")
+            page.evaluate("document.fonts.ready.then(() => true)")
+            kept[key] = page, trouble
+        return kept[key]
+    yield open_page
+    for context in contexts:
+        context.close()
+
+
+@pytest.fixture(scope="module")
+def bundle(opened, site):
+    """A page that has loaded the script as a reader's page does."""
+    return opened(pages_with_explorers(site, "en")[0])[0]
+
+
+def live(page):
+    return [element for element in page.locator("kalman-explorer").all() if "live" in (element.get_attribute("class") or "")]
+
+
+def explorers(site, opened, language="id", **options):
+    """(name, browser page, trouble, locator) of every explorer that is live."""
+    for path in pages_with_explorers(site, language):
+        page, trouble = opened(path, **options)
+        for element in live(page):
+            yield f"{path.stem}: {element.get_attribute('paper')}", page, trouble, element
+
+
+# --- the same numbers -----------------------------------------------------------------------------------------------
+
+def value_in(meta, low_to_high):
+    """The value of a field at a place from 0 to 1 between its ends; a log field that may be 0 starts there."""
+    low, high = meta["min"], meta["max"]
+    if low_to_high in (0, 1):
+        return (low, high)[low_to_high]
+    if meta["log"]:
+        first = math.log10(low) if low > 0 else math.log10(high) - 16
+        return 10 ** (first + low_to_high * (math.log10(high) - first))
+    return low + low_to_high * (high - low)
+
+
+def parameter_sets(Params, rng):
+    """The defaults, both ends of every field, SETS random ones over all ranges, and as many near the defaults."""
+    table = describe(Params)
+    whole = {name for name, meta in table.items() if isinstance(meta["default"], int) and isinstance(meta["step"], int) and meta["unit"] == "" and meta["min"] == 1}
+    near = [Params(**{name: meta["default"] if name in whole else min(max(meta["default"] * rng.uniform(0.85, 1.15), meta["min"]), meta["max"])
+                      for name, meta in table.items()}) for _ in range(SETS)]
+    places = [{name: end} for name in table for end in (0, 1)] + [{name: rng.uniform() for name in table} for _ in range(SETS)]
+    yield Params()
+    for place in places:
+        values = {name: value_in(table[name], at) for name, at in place.items()}
+        yield Params(**{name: round(value) if name in whole else float(value) for name, value in values.items()})
+    yield from near
+
+
+def trim(trajectory, T):
+    return dataclasses.replace(trajectory, x=trajectory.x[:T], z=trajectory.z[:T], u=None if trajectory.u is None else trajectory.u[:T])
+
+
+def cases(name):
+    """(Params, Trajectory) of a paper: some with missed measurements; a run that explodes as long as it stays below 1e12, where
+    a difference of two such numbers still has digits."""
+    module, rng = importlib.import_module(f"kalman_lib.papers.{name}"), np.random.default_rng(2026)
+    for number, p in enumerate(parameter_sets(module.Params, rng)):
+        with np.errstate(all="ignore"):
+            trajectory = module.simulate(p, rng)
+        calm = (np.abs(trajectory.z) < 1e12).all(axis=1) & (np.abs(trajectory.x) < 1e12).all(axis=1)
+        T = min(len(calm) if calm.all() else int(np.argmin(calm)), 600)
+        if T < 2:
+            continue
+        trajectory = trim(trajectory, T)
+        if number % 5 == 4:
+            z = trajectory.z.copy()
+            z[3::7] = np.nan
+            trajectory = dataclasses.replace(trajectory, z=z)
+        yield p, trajectory
+
+
+def close(ours, theirs, columns, doubt=0):
+    """None, or where JavaScript and Python differ most. doubt: what Python's own rounding leaves open."""
+    ours = np.array([np.nan if value is None else value for value in ours], dtype=float).reshape(-1, columns)
+    theirs = np.asarray(theirs, dtype=float).reshape(-1, columns)
+    if ours.shape != theirs.shape:
+        return f"{ours.shape} against {theirs.shape}"
+    if not np.array_equal(np.isnan(ours), np.isnan(theirs)):
+        return "NaN in one of them only"
+    size = np.nan_to_num(np.abs(theirs))
+    wrong = np.nan_to_num(np.abs(ours - theirs)) - (RELATIVE * size + SCALE * size.max(axis=0, initial=0) + doubt)
+    if wrong.max(initial=-1) <= 0:
+        return None
+    k, i = np.unravel_index(np.argmax(wrong), wrong.shape)
+    return f"step {k}, component {i}: {ours[k, i]!r} against {theirs[k, i]!r}"
+
+
+def python_numbers(module, name, p, trajectory, result):
+    """What the Python function `name` says; its parameters are found by their names."""
+    known = {"p": p, "z": trajectory.z[:, 0], "x": result.x[:, 0], "truth": trajectory.x[:, 0], "result": result, "K": result.K[0, 0, 0],
+             **{word: trajectory for word in ("flight", "walk", "run", "trajectory")}, **dataclasses.asdict(p)}
+    function = getattr(module, name)
+    wanted = [parameter.name for parameter in inspect.signature(function).parameters.values() if parameter.default is parameter.empty]
+    return np.ravel(np.concatenate([np.ravel(part) for part in np.atleast_1d(function(*(known[word] for word in wanted)))]))
+
+
+def well_conditioned(P):
+    sigma = np.sqrt(np.einsum("kii->ki", P))
+    return (sigma > 0).all() and np.linalg.cond(P / (sigma[:, :, None] * sigma[:, None, :])).max() < 1e4
+
+
+def in_python(module, p, t, twins):
+    """What Python computes: key -> (array, columns); no inverse of a covariance that has none worth the name."""
+    with np.errstate(all="ignore"):
+        result = kalman_filter(module.model(p), t.z, t.u)
+        n, m = t.x.shape[1], t.z.shape[1]
+        numbers = {key: (getattr(result, key), size) for key, size in dict(x_pred=n, P_pred=n * n, x=n, P=n * n, y=m, S=m * m, K=n * m).items()}
+        numbers |= {"rmse": (rmse(t.x, result.x), n), "nis": (nis(result.y, result.S), 1)}
+        if well_conditioned(result.P):
+            numbers["nees"] = nees(t.x, result.x, result.P), 1
+        if well_conditioned(result.P_pred):
+            smooth = rts_smooth(result)
+            numbers |= {"x_smooth": (smooth.x, n), "P_smooth": (smooth.P, n * n)}
+        for key in twins:
+            values = python_numbers(module, key, p, t, result)
+            numbers[key] = values, len(values)
+    return numbers
+
+
+def doubts(module, p, t, twins, numbers):
+    """How much Python's numbers change when z and p change in their last digit, times 100: key -> array. Where a filter is chaotic
+    (the beetle's, far from the truth) or subtracts huge numbers (a ship at 10^7 m/s), this is far more than 10^-9."""
+    rng, moved = np.random.default_rng(0), {}
+    for _ in range(3):
+        z = t.z * (1 + 4.5e-16 * rng.choice([-1, 1], size=t.z.shape))
+        near = {name: value * (1 + 4.5e-16 * rng.choice([-1, 1])) for name, value in dataclasses.asdict(p).items() if isinstance(value, float)}
+        ends = describe(type(p))
+        q = dataclasses.replace(p, **{name: min(max(value, ends[name]["min"]), ends[name]["max"]) for name, value in near.items()})
+        for key, (values, columns) in in_python(module, q, dataclasses.replace(t, z=z), twins).items():
+            if key in numbers:
+                change = np.nan_to_num(np.abs(np.reshape(values, (-1, columns)) - np.reshape(numbers[key][0], (-1, columns))))
+                moved[key] = np.maximum(moved.get(key, 0), change)
+    return {key: 100 * (change.max(axis=0) if "smooth" in key else np.maximum.accumulate(change)) for key, change in moved.items()}
+
+
+def differences(name, page):
+    """Where the two languages disagree on one paper, as sentences."""
+    module, all_cases = importlib.import_module(f"kalman_lib.papers.{name}"), list(cases(name))
+    listed = lambda values: None if values is None else [None if value != value else value for value in np.ravel(values).tolist()]
+    question = [{"paper": name, "p": dataclasses.asdict(p), "z": listed(t.z), "u": listed(t.u), "x": listed(t.x)} for p, t in all_cases]
+    answers = json.loads(page.evaluate(RUN, json.dumps(question)))
+    found, compared = [], set()
+    for number, ((p, t), answer) in enumerate(zip(all_cases, answers)):
+        twins = answer.pop("twins")
+        numbers, answer = in_python(module, p, t, twins), answer | twins
+        compared |= set(numbers)
+        wrong = {key for key, (theirs, columns) in numbers.items() if close(answer[key], theirs, columns)}
+        doubt = doubts(module, p, t, twins, numbers) if wrong and number > 0 else {}        # the default case has no excuse
+        for key in sorted(wrong):
+            if trouble := close(answer[key], *numbers[key], doubt.get(key, 0)):
+                found.append(f"{key}: {trouble} ({p})")
+    assert len(all_cases) > 2 * len(describe(module.Params)) + SETS and {"x", "P", "K", "rmse", "nis", "nees", "x_smooth", "P_smooth"} <= compared
+    return found
+
+
+@pytest.mark.parametrize("name", PAPERS)
+def test_the_page_computes_what_python_computes(name, bundle):
+    assert bundle.evaluate("name => name in KalmanExplorers.papers", name), f"book/explorers/papers/{name}.js is missing"
+    assert differences(name, bundle)[:3] == []
+
+
+@pytest.mark.parametrize("name", PAPERS)
+def test_the_noise_of_the_page_is_that_of_the_model(name, bundle):
+    mean = bundle.evaluate("""name => {
+      const { papers, tables, random, metrics } = KalmanExplorers, { model, simulate, run } = papers[name];
+      const p = Object.fromEntries(Object.entries(tables[name]).map(([key, field]) => [key, field.default]));
+      const means = Array.from({ length: 100 }, (_, seed) => {
+        const data = simulate(p, random.generator(seed)), result = run(p, data);
+        return metrics.mean(metrics.nis(result.y, result.S, result.m)) / result.m;
+      });
+      return metrics.mean(means);
+    }""", name)
+    assert 0.93 < mean < 1.07
+
+
+def test_normal_numbers_and_their_seeds(bundle):
+    moments, same, other = bundle.evaluate("""() => {
+      const { generator } = KalmanExplorers.random, rng = generator(1), sums = [0, 0, 0, 0];
+      for (let i = 0; i < 400000; i++) { const v = rng.normal(); for (let j = 0; j < 4; j++) sums[j] += v ** (j + 1) / 400000; }
+      return [sums, generator(5).normal() === generator(5).normal(), generator(5).normal() === generator(6).normal()];
+    }""")
+    assert same and not other
+    assert moments == pytest.approx([0, 1, 0, 3], abs=0.03)
+
+
+@pytest.mark.parametrize("dof, runs", [(1, 1), (1, 500), (2, 10), (3, 200), (6, 37)])
+def test_chi_square_bounds(dof, runs, bundle):
+    assert bundle.evaluate("([dof, runs]) => KalmanExplorers.metrics.chi2Bounds(dof, runs)", [dof, runs]) == pytest.approx(chi2_bounds(dof, runs), rel=1e-9)
+
+
+def test_ranges_and_words_come_from_python(bundle):
+    tables = bundle.evaluate("KalmanExplorers.tables")
+    for name in PAPERS:
+        assert tables[name] == describe(importlib.import_module(f"kalman_lib.papers.{name}").Params)
+
+
+# --- who may import whom --------------------------------------------------------------------------------------------
+
+ALLOWED = {"linalg.js": set(), "words.js": set(), "random.js": {"linalg.js"}, "filters.js": {"linalg.js"}, "metrics.js": {"linalg.js"}, "plot.js": set(),
+           "explorer.js": {"words.js", "random.js", "plot.js"}}
+PURE = {"linalg.js", "filters.js", "metrics.js", "random.js", "words.js"}
+
+
+@pytest.mark.parametrize("path", sorted(SOURCES.rglob("*.js")), ids=lambda path: path.name)
+def test_import_rules(path):
+    text = path.read_text(encoding="utf-8")
+    imported = {name.rsplit("/", 1)[-1] for name in re.findall(r'^(?:import|export)[^;]*? from "([^"]+)"', text, re.M)}
+    in_papers = path.parent.name == "papers"
+    allowed = PURE | {file.name for file in SOURCES.glob("*.js")} - {"plot.js", "explorer.js"} if in_papers else ALLOWED.get(path.name, PURE)
+    assert imported <= allowed, f"{path.name} may not import {imported - allowed}"
+    code = re.sub(r"//.*|/\*.*?\*/", "", text, flags=re.S) if False else "\n".join(line for line in text.splitlines() if not line.lstrip().startswith(("//", "*", "/*")))
+    if path.name not in ("plot.js", "explorer.js"):
+        assert not re.search(r"\b(document|window|innerHTML|localStorage)\b", code), f"{path.name} must not touch the document"
+    assert "innerHTML" not in code and "insertAdjacentHTML" not in code and "eval(" not in code
+
+
+# --- how it is loaded -----------------------------------------------------------------------------------------------
+
+def test_script_and_style_are_small_and_only_where_they_are_needed(site):
+    for path in site.rglob("*.html"):
+        text = path.read_text(encoding="utf-8")
+        script = re.findall(r'<script[^>]*vendor/explorers/explorers\.js[^>]*>', text)
+        assert len(script) == ("<kalman-explorer" in text) and all(" defer" in tag for tag in script), path
+    folder = site / "id" / "_static" / "vendor" / "explorers"
+    sizes = {file.name: len(gzip.compress(file.read_bytes(), 9)) for file in folder.iterdir()}
+    assert set(sizes) == {"explorers.js", "explorers.css"} and sum(sizes.values()) <= 60_000, sizes
+
+
+@pytest.mark.parametrize("scheme", ["http", "file"])
+@pytest.mark.parametrize("language", ["id", "en"])
+def test_every_explorer_lives_without_an_error(scheme, language, site, server, opened):
+    base, seen = {"http": server, "file": site.as_uri()}[scheme], set()
+    for path in pages_with_explorers(site, language):
+        page, trouble = opened(path, base=base)
+        for element in page.locator("kalman-explorer").all():
+            paper = element.get_attribute("paper")
+            alive = element.evaluate("e => e.explorer?.r !== undefined && e.explorer.message.hidden")
+            assert alive == (paper not in NOT_YET), paper
+            assert element.locator("> img").is_visible() != alive
+            seen.add(paper)
+        assert trouble == [], path
+    assert seen == set(PAPERS)
+
+
+def test_print_and_no_script_show_the_picture(site, server, chromium, opened):
+    for name, page, _, element in explorers(site, opened, viewport={"width": 900, "height": 900}):
+        page.emulate_media(media="print")
+        assert element.locator("> img").is_visible() and not element.locator(".explorer").is_visible(), name
+        page.emulate_media(media="screen")
+    context = chromium.new_context(java_script_enabled=False)
+    page = context.new_page()
+    page.goto(f"{server}/{pages_with_explorers(site, 'id')[0].relative_to(site).as_posix()}")
+    assert page.locator("kalman-explorer > img").first.is_visible()
+    context.close()
+
+
+# --- everyone ------------------------------------------------------------------------------------------------------
+
+def picture(element):
+    return element.evaluate("e => [...e.querySelectorAll('canvas')].map(c => c.toDataURL()).join() + e.querySelector('.explorer-outcome').textContent + (e.querySelector('.explorer-equations')?.textContent ?? '')")
+
+
+def shown(element):
+    """After the next drawing."""
+    element.evaluate("e => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 30))))")
+
+
+def test_every_slider_moves_the_picture(site, opened):
+    for name, page, trouble, element in explorers(site, opened, viewport={"width": 1280, "height": 3000}):
+        for box in element.locator("input[type=checkbox]:visible").all():
+            box.check()
+        for slider in element.locator("input[type=range]:visible:not(:disabled)").all():
+            pictures = set()
+            for end in ("min", "max"):
+                slider.evaluate("(e, end) => { e.value = e[end]; e.dispatchEvent(new Event('input', { bubbles: true })); e.dispatchEvent(new Event('change')); }", end)
+                shown(element)
+                pictures.add(picture(element))
+                message = element.locator(".explorer-message")
+                assert not message.is_visible(), (name, slider.get_attribute("id"), message.inner_text())
+            assert len(pictures) == 2, (name, slider.get_attribute("id"))
+            element.evaluate("e => e.explorer.reset()")
+            for box in element.locator("input[type=checkbox]:visible").all():
+                box.check()
+            shown(element)
+        element.evaluate("e => e.explorer.reset()")
+        assert trouble == [], name
+
+
+def test_labels_targets_and_keyboard(site, opened):
+    for name, page, _, element in explorers(site, opened):
+        small = element.evaluate("""e => [...e.querySelectorAll('input, button, select, textarea, summary')].filter(part => {
+          const box = (part.type === 'checkbox' ? part.closest('label') : part).getBoundingClientRect();
+          return box.width > 0 && (box.height < 43.9 || box.width < 43.9); }).map(part => part.outerHTML.slice(0, 90))""")
+        assert small == [], name
+        for slider in element.locator("input[type=range]:visible:not(:disabled)").all():
+            assert slider.evaluate("e => e.labels[0].textContent.trim()") and re.search(r"\d", slider.get_attribute("aria-valuetext"))
+        for field in element.locator("input[type=text]").all():
+            assert field.get_attribute("aria-label") or field.evaluate("e => e.labels.length")
+        slider = element.locator("input[type=range]:visible:not(:disabled)").last
+        slider.focus()
+        before = slider.get_attribute("aria-valuetext")
+        page.keyboard.press("PageUp")
+        shown(element)
+        page.keyboard.press("ArrowRight")
+        shown(element)
+        assert slider.get_attribute("aria-valuetext") != before, name
+        assert slider.evaluate("e => getComputedStyle(e).outlineStyle") != "none"
+        page.wait_for_function("e => e.querySelector('[role=status][aria-live]').textContent !== ''", arg=element.element_handle())
+        assert element.locator("[role=status][aria-live]").inner_text() == element.locator(".explorer-outcome").inner_text()
+        element.evaluate("e => e.explorer.reset()")
+
+
+def test_the_numbers_of_the_figures_as_a_table(site, opened):
+    for name, page, _, element in explorers(site, opened):
+        details = element.locator("details.explorer-numbers")
+        details.evaluate("e => { e.open = true }")
+        page.wait_for_function("e => e.querySelector('table')", arg=details.element_handle())
+        assert details.locator("tbody tr").count() > 3 and details.locator("thead th").count() > 3, name
+        assert page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
+        for canvas in element.locator("canvas").all():
+            assert len(canvas.get_attribute("aria-label")) > 30
+
+
+def test_accessibility(site, opened):
+    axe = (ROOT / "book" / "node_modules" / "axe-core" / "axe.min.js").read_text(encoding="utf-8")
+    for language in ("id", "en"):
+        for path in pages_with_explorers(site, language):
+            page, _ = opened(path)
+            page.evaluate("document.querySelectorAll('details.explorer-numbers').forEach(e => { e.open = true })")
+            page.evaluate(axe)
+            for theme in ("light", "dark"):
+                page.evaluate("theme => { document.documentElement.dataset.theme = theme }", theme)
+                found = page.evaluate("axe.run('kalman-explorer').then(r => r.violations.map(v => [v.id, v.nodes.map(n => n.target.join(' ')).slice(0, 4)]))")
+                assert found == [], (path, theme)
+            page.evaluate("document.documentElement.dataset.theme = 'light'")
+
+
+def texts(element):
+    return element.evaluate("""e => [...e.querySelectorAll('button, label, option, summary, th, p, .explorer-title, .explorer-key')].map(part => part.textContent.trim())
+      .concat([...e.querySelectorAll('[aria-label]:not(.explorer-line)')].map(part => part.getAttribute('aria-label')))""")
+
+
+def test_every_text_is_in_the_language_of_its_page(site, opened):
+    spoken = {language: [texts(element) for *_, element in explorers(site, opened, language)] for language in ("id", "en")}
+    assert spoken["id"] and len(spoken["id"]) == len(spoken["en"])
+    for ours, theirs in zip(spoken["id"], spoken["en"]):
+        words = [text for text in ours if re.search(r"[a-z]{4}", text) and text not in SAME_TEXT]
+        assert [text for text in words if text in theirs] == []
+        assert not [text for text in ours if re.search(r"\d\.\d", text)], "a decimal point in Indonesian"
+
+
+# --- the address, and bad input -------------------------------------------------------------------------------------
+
+def test_the_address_keeps_the_settings(site, opened, server, chromium):
+    for name, page, _, element in explorers(site, opened):
+        slider = element.locator("input[type=range]:visible:not(:disabled)").last
+        slider.focus()
+        page.keyboard.press("End")
+        shown(element)
+        state, key = element.evaluate("e => [e.explorer.s, e.explorer.key]")
+        address = page.url
+        assert f"#{key}:" in address, name
+        other = page.context.new_page()
+        other.goto(address)
+        assert other.evaluate("key => [...document.querySelectorAll('kalman-explorer')].find(e => e.explorer?.key === key).explorer.s", key) == state
+        other.wait_for_function("key => { const top = [...document.querySelectorAll('kalman-explorer')].find(e => e.explorer?.key === key).getBoundingClientRect().top; return top > -5 && top < 300 }", arg=key)
+        section = other.evaluate("document.querySelector('article section section').id")
+        other.evaluate("id => { location.hash = id }", section)         # an ordinary anchor still works
+        assert other.url.endswith(f"#{section}")
+        other.close()
+        element.evaluate("e => e.explorer.reset()")
+        assert f"{key}:" not in page.url
+
+
+@pytest.mark.parametrize("language", ["id", "en"])
+@pytest.mark.parametrize("bad", ["seed=<img src=x onerror=alert(1)>", "<script>alert(1)</script>=1", "seed==cmd|' /C calc'!A0", "seed=1e308",
+                                 "seed=NaN", "seed=", "nothing=1", "seed=-5", "%E0%A4%A", "__proto__=1", "seed=" + "9" * 5000])
+def test_a_bad_address_is_refused_in_one_sentence(language, bad, site, server, chromium):
+    path = pages_with_explorers(site, language)[0]
+    page = chromium.new_page(viewport=PHONE)
+    alerts = []
+    page.on("dialog", lambda dialog: (alerts.append(dialog.message), dialog.dismiss()))
+    page.on("pageerror", lambda error: alerts.append(str(error)))
+    page.goto(f"{server}/{path.relative_to(site).as_posix()}")
+    element = live(page)[0]
+    key, before = element.evaluate("e => [e.explorer.key, e.explorer.s]")
+    drawn = picture(element)
+    page.evaluate("text => { location.hash = text }", f"{key}:{bad}")
+    message = element.locator(".explorer-message")
+    message.wait_for(state="visible")
+    text = message.inner_text()
+    assert len(text) < 250 and text.endswith(".") and text.count("\n") == 0
+    assert ("diterima" in text or "alamat" in text) == (language == "id")
+    assert element.evaluate("e => e.explorer.s") == before and picture(element) == drawn
+    assert message.locator("*").count() == 0 and alerts == []
+    page.close()
+
+
+def test_bad_numbers_are_refused_and_the_picture_stays(site, opened):
+    for name, page, _, element in explorers(site, opened):
+        field = element.locator(".explorer-control:visible input.explorer-value:not(:disabled)").last
+        good, drawn = field.input_value(), picture(element)
+        for bad in ("abc", "<b>1</b>", "=1+1", "1e308", "NaN", "", "1,2,3"):
+            field.fill(bad)
+            field.press("Enter")
+            message = element.locator(".explorer-message")
+            message.wait_for(state="visible")
+            assert (bad in message.inner_text() or "diterima" in message.inner_text()) and message.locator("*").count() == 0, (name, bad)
+            assert picture(element) == drawn
+        field.fill(good)
+        field.press("Enter")
+        message.wait_for(state="hidden")
+
+
+# --- the hand check -------------------------------------------------------------------------------------------------
+
+@pytest.mark.parametrize("language", ["id", "en"])
+def test_the_hand_check(language, site, opened):
+    for name, page, _, element in explorers(site, opened, language):
+        form, asked = element.locator("form"), set()
+        verdict, field = form.locator(".explorer-verdict"), form.locator("input")
+        page.wait_for_function("e => e.querySelector('.explorer-question').textContent", arg=form.element_handle())
+        for _ in range(12):
+            asked.add(form.locator(".explorer-question").inner_text())
+            answer = element.evaluate("e => e.explorer.question.answer")
+            field.fill(f"{answer:.6g}".replace(".", ","))
+            field.press("Enter")
+            assert "right" in verdict.get_attribute("class"), (name, asked)
+            field.fill(f"{1.7 * answer + 3:.6g}")
+            field.press("Enter")
+            hint = verdict.inner_text()
+            assert "wrong" in verdict.get_attribute("class") and len(hint) > 5 and "{" not in hint
+            field.fill("<b>x</b>")
+            field.press("Enter")
+            assert "<b>x</b>" in verdict.inner_text() and verdict.locator("b").count() == 0
+            form.locator("button[type=button]").click()
+        assert len(asked) >= 3, name
