@@ -4,7 +4,7 @@ VENV := .venv
 PY := $(VENV)/bin/python
 PORT ?= 8000
 
-.PHONY: help book test lab serve outputs lock clean
+.PHONY: help book test bench lab serve outputs lock clean
 .DEFAULT_GOAL := help
 
 help: ## show this list
@@ -16,6 +16,9 @@ book: $(VENV)/.npm ## build the book in both languages: _build/site/index.html
 test: $(VENV)/.npm ## run every test, then every notebook again, comparing its stored outputs
 	$(PY) -m pytest tests
 	$(PY) -m pytest --nbval notebooks
+
+bench: $(VENV)/.npm ## print how quick the explorers are
+	$(PY) tests/bench_explorers.py
 
 lab: $(VENV)/.installed ## open the notebooks in JupyterLab
 	$(PY) -m jupyterlab --notebook-dir=notebooks

@@ -49,7 +49,7 @@ def smoother_online(p=None):
     """Chapter 2: one measurement at a time. p is a smoother.Params or None."""
     board = SmootherOnline(p)
     board.add(*board.stream[:60])
-    show(board.view, "smoother", board.figure())
+    show(board.view, "smoother", board.figure(), view="online")
     board.reset()
 
 
@@ -71,12 +71,15 @@ def ship(p=None):
     show(board.view, "ship", board.figure())
 
 
-def show(widget, paper, figure):
-    """Display one output that is live in Jupyter and, in the built book, the figure inside <kalman-explorer>."""
+def show(widget, paper, figure, view=None):
+    """Display one output that is live in Jupyter and, in the built book, the figure inside <kalman-explorer>.
+
+    view names one of the paper's explorers where it has several (book/explorers/papers/<paper>.js)."""
     data = widget._repr_mimebundle_()
     png = base64.b64encode(figure.png(dpi=150)).decode()
     data["text/plain"] = f"[{paper}]"
-    data["text/html"] = (f'<kalman-explorer paper="{paper}"><img alt="" src="data:image/png;base64,{png}">'
+    chosen = f' view="{view}"' if view else ""
+    data["text/html"] = (f'<kalman-explorer paper="{paper}"{chosen}><img alt="" src="data:image/png;base64,{png}">'
                          "</kalman-explorer>")
     display(data, raw=True)
 

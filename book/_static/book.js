@@ -31,7 +31,7 @@
     for (const link of document.querySelectorAll("a.language-switcher")) {
       link.addEventListener("click", () => {
         const id = sectionInView();
-        link.hash = id;
+        link.hash = location.hash.includes(":") ? location.hash : id;     // the settings of an explorer go along
         try { localStorage.setItem("book-language", link.hreflang); } catch (error) { /* storage is switched off */ }
       });
     }

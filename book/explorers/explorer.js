@@ -147,6 +147,7 @@ class Explorer {
       ...(view.question ? [this.handCheck()] : []), this.details);
     this.element.append(this.section);
     this.element.classList.add("live");
+    for (const image of this.element.querySelectorAll("img")) image.loading = "eager";       // for print
     const again = () => { for (const plot of this.plots) plot.measure(); this.draw(); };
     this.resizes = new ResizeObserver(() => this.r && again());
     this.resizes.observe(this.section);
@@ -559,8 +560,9 @@ function fillTable(table, { head, rows }) {
   const shape = `${head.length} ${rows.length}`;
   if (table.dataset.shape !== shape) {
     table.dataset.shape = shape;
-    const row = (tag, count, first = tag) => make("tr", {}, ...Array.from({ length: count }, (_, i) => make(i === 0 ? first : tag, tag === "th" ? { scope: "col" } : i === 0 ? { scope: "row" } : {})));
-    table.replaceChildren(make("thead", {}, row("th", head.length)), make("tbody", {}, ...rows.map(cells => row("td", cells.length, "th"))));
+    const name = (text, scope) => text ? make("th", { scope }) : make("td");
+    table.replaceChildren(make("thead", {}, make("tr", {}, ...head.map(text => name(text, "col")))),
+      make("tbody", {}, ...rows.map(cells => make("tr", {}, ...cells.map((text, i) => i ? make("td") : name(text, "row"))))));
   }
   [head, ...rows].forEach((cells, i) => cells.forEach((text, j) => {
     const cell = table.rows[i].cells[j];
