@@ -30,7 +30,7 @@ import explorers as explorers_to_bundle  # noqa: E402
 
 SOURCES = ROOT / "book" / "explorers"
 PAPERS = sorted(module.name for module in pkgutil.iter_modules(kalman_lib.papers.__path__))
-NOT_YET = {"smoother", "ship", "beetle"}    # their models are here, what the page shows is not: the picture stays
+NOT_YET = {"smoother"}                      # its model is here, what the page shows is not: the picture stays
 PHONE = {"width": 390, "height": 844}
 SETS = 50
 RELATIVE, SCALE = 1e-9, 1e-12               # |js - py| <= RELATIVE |py| + SCALE max |py| of that component over time
@@ -182,12 +182,19 @@ def close(ours, theirs, columns, doubt=0):
 
 
 def python_numbers(module, name, p, trajectory, result):
-    """What the Python function `name` says; its parameters are found by their names."""
-    known = {"p": p, "z": trajectory.z[:, 0], "x": result.x[:, 0], "truth": trajectory.x[:, 0], "result": result, "K": result.K[0, 0, 0],
-             **{word: trajectory for word in ("flight", "walk", "run", "trajectory")}, **dataclasses.asdict(p)}
+    """What the Python function `name` says; its parameters are found by their names (x: all states where P is wanted, too, else
+    the first). A complex number counts as two; NaN alone: the function refuses."""
     function = getattr(module, name)
     wanted = [parameter.name for parameter in inspect.signature(function).parameters.values() if parameter.default is parameter.empty]
-    return np.ravel(np.concatenate([np.ravel(part) for part in np.atleast_1d(function(*(known[word] for word in wanted)))]))
+    known = {"p": p, "z": trajectory.z[:, 0], "truth": trajectory.x[:, 0], "result": result, "K": result.K[0, 0, 0],
+             **{word: trajectory for word in ("flight", "walk", "run", "trajectory")}, **dataclasses.asdict(p),
+             "x": result.x if "P" in wanted else result.x[:, 0], "P": result.P}
+    try:
+        parts = [np.ravel(part) for part in np.atleast_1d(function(*(known[word] for word in wanted)))]
+    except ValueError:
+        return np.array([np.nan])
+    values = np.concatenate(parts)
+    return values.view(float) if np.iscomplexobj(values) else values
 
 
 def well_conditioned(P):
@@ -223,7 +230,7 @@ def doubts(module, p, t, twins, numbers):
         ends = describe(type(p))
         q = dataclasses.replace(p, **{name: min(max(value, ends[name]["min"]), ends[name]["max"]) for name, value in near.items()})
         for key, (values, columns) in in_python(module, q, dataclasses.replace(t, z=z), twins).items():
-            if key in numbers:
+            if key in numbers and np.size(values) == np.size(numbers[key][0]):
                 change = np.nan_to_num(np.abs(np.reshape(values, (-1, columns)) - np.reshape(numbers[key][0], (-1, columns))))
                 moved[key] = np.maximum(moved.get(key, 0), change)
     return {key: 100 * (change.max(axis=0) if "smooth" in key else np.maximum.accumulate(change)) for key, change in moved.items()}
@@ -571,3 +578,168 @@ def test_the_hand_check(language, site, opened):
             assert wrong[0].endswith("wrong") and len(wrong[1]) > 5 and "{" not in wrong[1] + question, (name, question, wrong)
             assert typed[0].endswith("wrong") and "<b>x</b>" in typed[1] and typed[2] == 0
         assert len({question for question, *_ in asked}) >= 3, name
+
+
+# --- chapters 4 and 5: what only they have ---------------------------------------------------------------------------
+
+def explorer_of(paper, site, opened, language="id", **options):
+    """(browser page, locator) of the live explorer of this paper."""
+    return next((page, element) for name, page, _, element in explorers(site, opened, language, **options) if name.endswith(f": {paper}"))
+
+
+def set_state(element, **changes):
+    element.evaluate("(e, changes) => e.explorer.change(changes)", changes)
+    shown(element)
+
+
+def test_ship_the_fit_and_what_noise_does_to_it_as_in_python(bundle):
+    from kalman_lib.papers import ship
+    rng = np.random.default_rng(4)
+    still = ship.towing_run(rng, 0)[1].x[:, 0]
+    sigmas = [0, 1e-3, 0.01, 0.1, 0.5]
+    series = [still + sigma * rng.normal(size=len(still)) for sigma in sigmas] + [ship.simulate(ship.Params(), rng).z[:, 0] for _ in range(SETS)]
+    ours = bundle.evaluate("""([series, sigmas]) => {
+      const { towing_run, fit, expected_fit, poles } = KalmanExplorers.papers.ship, { x, t } = towing_run(KalmanExplorers.random.generator(1), 0);
+      const fits = series.map(z => Array.from(fit(Float64Array.from(z)))), expected = sigmas.map(sigma => Array.from(expected_fit(x, sigma)));
+      return { x: Array.from(x), t: Array.from(t), fits, expected, poles: fits.map(([, a1, a2]) => poles(a1, a2).flat()),
+               none: [[1, 2, 3, 4, 5, 6], [2, 2, 2, 2, 2, 2, 2], [1, 2], [1, 2, 4, 8, 16, 32]].map(z => fit(Float64Array.from(z))) };
+    }""", [[z.tolist() for z in series], sigmas])
+    assert np.allclose(ours["x"], still, rtol=1e-12, atol=1e-15) and np.allclose(ours["t"], 0.1 * np.arange(len(still)))
+    for z, theta, pair in zip(series, ours["fits"], ours["poles"]):
+        p = ship.fitted(z, ship.Params())
+        assert np.allclose(theta, [p.c, p.a1, p.a2], rtol=RELATIVE, atol=0)
+        assert np.allclose(np.reshape(pair, (2, 2)) @ [1, 1j], ship.poles(p.a1, p.a2), rtol=1e-7)       # a root of a small difference
+    for sigma, theta in zip(sigmas, ours["expected"]):
+        assert np.allclose(theta, ship.expected_fit(still, sigma), rtol=1e-8 if sigma == 0 else RELATIVE, atol=0)
+    assert ours["none"] == [None] * 4
+
+
+def test_ship_tells_uneven_sampling_with_the_words_of_python(bundle):
+    from kalman_lib.papers import ship
+    times = [[0, 1, 2, 3, 4, 5], [0, 0.1, 0.2, 0.31, 0.4, 0.55], [3, 3.25, 3.5, 3.75, 9], [0, 1, 1, 2, 3], [0, 2, 1, 3, 4, 5], [0, 1, 2], [0, 1, math.nan, 3, 4, 5]]
+    said = bundle.evaluate("""times => times.map(t => {
+      try { const { dt, uneven, en, id } = KalmanExplorers.papers.ship.sampling(Float64Array.from(t, v => v ?? NaN)); return [dt, uneven, en, id]; }
+      catch ({ en, id }) { return [`${en} / ${id}`]; } })""", [[None if value != value else value for value in t] for t in times])
+    for t, ours in zip(times, said):
+        try:
+            sampled = ship.sampling(t)
+        except ValueError as error:
+            assert ours == [str(error)]
+        else:
+            assert ours[0] == pytest.approx(sampled.dt, rel=1e-12) and ours[1:] == [sampled.uneven, sampled.en, sampled.id]
+
+
+def own_run(rows=200):
+    """The text of a recording in ms and km/h with decimal comma, and its (t, z) in s and m/s."""
+    from kalman_lib.papers import ship
+    t, z = 50.0 * np.arange(rows), np.round(3.6 * ship.towing_run(np.random.default_rng(5))[1].z[:rows, 0], 3)
+    text = "waktu\tkecepatan\n" + "\n".join(f"{a:g}\t{b:.3f}".replace(".", ",") for a, b in zip(t, z))
+    return text, t / 1000, z / 3.6
+
+
+@pytest.mark.parametrize("way", ["pasted", "file"])
+@pytest.mark.parametrize("language", ["id", "en"])
+def test_ship_filters_a_recording_of_the_reader_as_python_does(way, language, site, opened):
+    from kalman_lib.papers import ship
+    page, element = explorer_of("ship", site, opened, language)
+    text, t, z = own_run()
+    if way == "pasted":
+        element.locator("textarea").fill(text)
+    else:
+        element.locator("input[type=file]").set_input_files({"name": "kapal.csv", "mimeType": "text/csv", "buffer": text.encode()})
+        page.wait_for_function("e => e.explorer.r.data.truth === null", arg=element.element_handle())
+    shown(element)
+    element.locator("select").nth(0).select_option("ms")
+    element.locator("select").nth(1).select_option("km/h")
+    element.get_by_text({"id": "penghalus", "en": "smoother"}[language]).first.click()
+    shown(element)
+    assert not element.locator(".explorer-message").is_visible()
+    p = dataclasses.replace(ship.fitted(z, ship.Params()), x0=z[0], P0=0.01)
+    smooth = rts_smooth(kalman_filter(ship.model(p), z, np.ones(len(z))))
+    r = element.evaluate("e => { const { data, p, x, root } = e.explorer.r; return { t: [...data.t], z: [...data.z], theta: [p.c, p.a1, p.a2], x: [...x], root: [...root] }; }")
+    for name, theirs in {"t": t, "z": z, "theta": [p.c, p.a1, p.a2], "x": smooth.x[:, 0], "root": np.sqrt(smooth.P[:, 0, 0])}.items():
+        assert np.allclose(r[name], theirs, rtol=RELATIVE, atol=1e-12), name
+    outcome = element.locator(".explorer-outcome").inner_text()
+    assert getattr(ship.sampling(t), language) in outcome
+    uneven = text.replace("\n500\t", "\n510\t")
+    element.locator("textarea").fill(uneven)
+    shown(element)
+    assert {"id": "tidak seragam", "en": "unevenly spaced"}[language] in element.locator(".explorer-outcome").inner_text()
+    element.get_by_role("button", name={"id": "Kembali", "en": "Back"}[language]).click()
+    shown(element)
+    assert element.evaluate("e => e.explorer.r.data.truth !== null") and element.locator("textarea").input_value() == ""
+    element.evaluate("e => e.explorer.reset()")
+
+
+BAD_RECORDINGS = ["0 1\n1 2\n2 <img src=x onerror=alert(1)>", "<script>alert(1)</script>", "0;1\n1;2\n2;=cmd|' /C calc'!A0", "0 1\n1 1e308\n2 3\n3 1\n4 2\n5 1", "NaN", "1\n2\n3\n4\n5\n6",
+                  "0 1\n1 2\n1 3\n2 1\n3 2\n4 5", "0 1\n1 1\n2 1\n3 1\n4 1\n5 1", "0 1\n1 2\n2", "0 0\n1 1e7\n2 0\n3 5\n4 1\n5 2\n6 2", "\n".join(f"{k} {k % 7}" for k in range(200_001))]
+
+
+@pytest.mark.parametrize("language", ["id", "en"])
+def test_ship_refuses_what_is_no_recording_in_one_sentence(language, site, opened):
+    page, element = explorer_of("ship", site, opened, language)
+    alerts, drawn = [], picture(element)
+    page.on("dialog", lambda dialog: (alerts.append(dialog.message), dialog.dismiss()))
+    message = element.locator(".explorer-message")
+    for bad in BAD_RECORDINGS:
+        set_state(element, text=bad)
+        text = message.inner_text()
+        assert message.is_visible() and text.endswith(".") and len(text) < 250 and "\n" not in text, (bad[:50], text)
+        assert picture(element) == drawn and message.locator("*").count() == 0, bad[:50]
+    set_state(element, text=None)
+    assert not message.is_visible()
+    for name, content in {"kapal.xlsx": b"PK\x03\x04" + bytes(100), "foto.csv": bytes(range(256)), "empty.txt": b""}.items():
+        element.locator("input[type=file]").set_input_files({"name": name, "mimeType": "text/plain", "buffer": content})
+        message.wait_for(state="visible")
+        shown(element)
+        assert message.inner_text().endswith(".") and picture(element) == drawn, name
+        set_state(element, file=None)
+        message.wait_for(state="hidden")
+    assert alerts == []
+    element.evaluate("e => e.explorer.reset()")
+
+
+def test_beetle_with_the_bearing_as_in_python(bundle):
+    from kalman_lib.papers import beetle
+    rng, cases = np.random.default_rng(6), []
+    for _ in range(SETS):
+        p = beetle.Params(theta0=rng.uniform(-1, 1), theta=rng.uniform(-1, 1), v=rng.uniform(1, 4), R_bearing=10 ** rng.uniform(-4, -2), dt=rng.uniform(0.1, 1))
+        cases.append((p, beetle.simulate(p, rng, 40, bearing=True)))
+    answers = bundle.evaluate("""cases => cases.map(([p, z]) => {
+      const { bearing_model, away_sigma } = KalmanExplorers.papers.beetle, r = KalmanExplorers.filters.kalmanFilter(bearing_model(p), Float64Array.from(z));
+      return { x: Array.from(r.x), P: Array.from(r.P), K: Array.from(r.K), s: Array.from(away_sigma(r.x, r.P, 4)) }; })""",
+                              [[dataclasses.asdict(p), np.ravel(walk.z).tolist()] for p, walk in cases])
+    for (p, walk), answer in zip(cases, answers):
+        result = kalman_filter(beetle.bearing_model(p), walk.z)
+        for name, theirs in {"x": result.x, "P": result.P, "K": result.K, "s": beetle.away_sigma(result.x[:, :3], result.P[:, :3, :3])}.items():
+            assert not close(answer[name], np.reshape(theirs, (-1, np.size(answer[name]) // 40)), np.size(answer[name]) // 40, 1e-11), (name, p)
+
+
+@pytest.mark.parametrize("motion", ["reduce", "no-preference"])
+def test_beetle_walks_only_for_who_wants_motion(motion, site, opened):
+    page, element = explorer_of("beetle", site, opened, reduced_motion=motion)
+    play = element.locator(".explorer-control.buttons button").first
+    play.scroll_into_view_if_needed()
+    for expected in (0, 20):
+        play.click()
+        if motion == "reduce":
+            shown(element)
+            assert element.evaluate("e => e.explorer.s.moment") == expected
+    if motion == "no-preference":                       # the first press started it, the second stopped it
+        assert element.evaluate("e => e.explorer.playing") is None
+        play.click()
+        page.wait_for_function("e => e.explorer.s.moment > 0.5 && e.explorer.s.moment < 15", arg=element.element_handle())
+        assert play.inner_text() == "Berhenti"
+        play.click()
+    element.evaluate("e => e.explorer.reset()")
+
+
+def test_beetle_what_the_distance_cannot_show_and_the_bearing_can(site, opened):
+    _, element = explorer_of("beetle", site, opened, "en")
+    left = {}
+    for bearing in (False, True):
+        set_state(element, bearing=bearing)
+        left[bearing] = element.evaluate("e => [e.explorer.r.theta.share.at(-1), e.explorer.r.s.share.at(-1)]")
+        assert ("The distance shows only s" in element.locator(".explorer-outcome").inner_text()) != bearing
+    assert left[False][0] > 0.4 and left[False][1] < 0.1 and left[True][0] < 0.1
+    element.evaluate("e => e.explorer.reset()")

@@ -43,7 +43,8 @@
 //   {kind: "file", name, id, en, accept} s[name] is null or {name, bytes (Uint8Array)}; a file can also be dropped on it
 //   {kind: "buttons", id, en, items: [item]}, where an item has id, en, pressed(s) (optional) and one of
 //       set: {name: value} or s => {name: value} (glide: milliseconds in which numbers move there)
-//       play: name, seconds              moves the control `name` from where it is to its end, or stops
+//       play: name, seconds              moves the control `name` from where it is to its end, or stops; for who wants
+//                                        no motion it jumps there, or back
 //       copy: (r, s, t) => text          puts text into the clipboard
 //       save: (r, s, t) => {name, type, content}         hands over a file
 import { number, InputError, speaker } from "./words.js";
@@ -379,6 +380,7 @@ class Explorer {
   play(item) {
     if (this.playing === item.play) { this.playing = null; this.showControls(); this.toHash(); return; }
     const control = this.controls.find(({ name }) => name === item.play);
+    if (calm()) { this.change({ [item.play]: this.value(control) >= control.max ? control.min : control.max }); return; }
     let value = this.value(control) >= control.max ? control.min : this.value(control), last = performance.now();
     this.playing = item.play;
     const step = now => {

@@ -72,6 +72,33 @@ function swap(A, width, i, j) {
   for (let l = 0; l < width; l++) [A[i * width + l], A[j * width + l]] = [A[j * width + l], A[i * width + l]];
 }
 
+/**
+ * The x for which the sum of squares of A x - b is least, A given as its columns (which are used up); null: not unique.
+ * Turns the columns against each other until they are orthogonal (one-sided Jacobi): no digit is lost in a product A' A.
+ */
+export function leastSquares(columns, b) {
+  const n = columns.length, V = columns.map((_, i) => Float64Array.from(columns, (_, j) => Number(i === j)));
+  const dot = (p, q) => { let sum = 0; for (let k = 0; k < p.length; k++) sum += p[k] * q[k]; return sum; };
+  const turn = (p, q, c, s) => { for (let k = 0; k < p.length; k++) [p[k], q[k]] = [c * p[k] - s * q[k], s * p[k] + c * q[k]]; };
+  for (let sweep = 0, turned = true; turned && sweep < 40; sweep++) {
+    turned = false;
+    for (let i = 0; i < n; i++) {
+      for (let j = i + 1; j < n; j++) {
+        const pp = dot(columns[i], columns[i]), qq = dot(columns[j], columns[j]), pq = dot(columns[i], columns[j]);
+        if (!(Math.abs(pq) > 1e-15 * Math.sqrt(pp * qq))) continue;
+        const half = (qq - pp) / (2 * pq), tangent = (half < 0 ? -1 : 1) / (Math.abs(half) + Math.hypot(1, half)), c = 1 / Math.hypot(1, tangent);
+        for (const of of [columns, V]) turn(of[i], of[j], c, c * tangent);
+        turned = true;
+      }
+    }
+  }
+  const squares = columns.map(column => dot(column, column)), most = Math.max(...squares);
+  if (!squares.every(square => Math.sqrt(square) > 2.22e-16 * Math.max(b.length, n) * Math.sqrt(most))) return null;
+  const x = new Float64Array(n);
+  columns.forEach((column, i) => { const share = dot(column, b) / squares[i]; for (let j = 0; j < n; j++) x[j] += share * V[i][j]; });
+  return x;
+}
+
 /** Lower triangle L (n, n) with L L' = P, for a covariance that may be singular (a column without variance is 0). */
 export function cholesky(P, n) {
   const L = new Float64Array(n * n);

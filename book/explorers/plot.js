@@ -6,7 +6,7 @@
 //   {look, x, y, label}              a curve (or dots, if the look has dots); NaN leaves a gap
 //   {look: "band", x, low, high, label}
 //   {look, ellipse: {x: [a, b], P: [aa, ab, bb]}, label}    two standard deviations, with its centre
-//   {look, mark: [a, b], label}      one large mark
+//   {look, mark: [a, b], sign, label}        one large mark: a dot, or the sign, such as "+"
 //   {look, at: a, label} / {look, level: b, label}          a line across, upright / level
 //   {text: "t", at: [a, b], look}    a word beside a point
 //   {paint(ctx, X, Y, colours)}      anything else; X and Y turn values into pixels
@@ -176,6 +176,11 @@ export class Plot {
       ctx.fill();
     } else if (layer.ellipse) {
       this.ellipse(layer, X, Y, colour);
+    } else if (layer.sign) {
+      ctx.font = `600 22px ${colours.font}`;
+      ctx.textAlign = "center";
+      ctx.textBaseline = "middle";
+      ctx.fillText(layer.sign, X(layer.mark[0]), Y(layer.mark[1]));
     } else if (layer.mark) {
       dot(ctx, X(layer.mark[0]), Y(layer.mark[1]), 5);
     } else if (layer.text) {
@@ -247,8 +252,8 @@ export class Plot {
     this.legend = key;
     this.keys.replaceChildren(...named.map(layer => {
       const item = make("span", { className: "explorer-key" }), look = LOOKS[layer.look];
-      const kind = layer.mark || look.dots ? "dots" : look.band ? "filled" : layer.look;
-      const swatch = make("i", { className: `explorer-swatch ${kind}` });
+      const kind = layer.sign ? "sign" : layer.mark || look.dots ? "dots" : look.band ? "filled" : layer.look;
+      const swatch = make("i", { className: `explorer-swatch ${kind}`, textContent: layer.sign || "" });
       swatch.style.setProperty("--colour", `var(--explorer-${layer.look})`);
       item.append(swatch, make("span", {}, label(this.speaker.say(layer.label))));
       return item;
