@@ -56,15 +56,15 @@ def test_importing_starts_nothing():
 
 # --- the static twin, the language, the messages ---------------------------------------------------------------------
 
-@pytest.mark.parametrize("start, paper", [(widgets.theory_steps, "theory"), (widgets.smoother_form, "smoother"),
-                                          (widgets.smoother_online, "smoother")])
+@pytest.mark.parametrize("start, paper", [(widgets.theory_steps, 'paper="theory"'), (widgets.smoother_form, 'paper="smoother"'),
+                                          (widgets.smoother_online, 'paper="smoother" view="online"')])
 def test_one_output_live_in_jupyter_and_static_in_the_book(start, paper, monkeypatch):
     shown = []
     monkeypatch.setattr(widgets, "display", lambda data, raw: shown.append((data, raw)))
     assert start() is None
     (data, raw), = shown
     assert raw and "application/vnd.jupyter.widget-view+json" in data
-    match = re.fullmatch(rf'<kalman-explorer paper="{paper}"><img alt="" src="data:image/png;base64,(.*?)">'
+    match = re.fullmatch(rf'<kalman-explorer {paper}><img alt="" src="data:image/png;base64,(.*?)">'
                          "</kalman-explorer>", data["text/html"])
     png = base64.b64decode(match[1])
     assert png.startswith(b"\x89PNG") and 3_000 < len(png) < 60_000

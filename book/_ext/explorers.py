@@ -8,6 +8,7 @@ KalmanExplorers, which holds the rooms and the papers, for the tests.
 """
 import importlib
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -16,7 +17,8 @@ import offline
 
 SOURCES = offline.BOOK / "explorers"
 TARGET = offline.VENDOR / "explorers"
-ROOMS = ("filters", "linalg", "metrics", "random", "words")
+ROOMS = ("filters", "linalg", "metrics", "random", "spreadsheet", "words", "xlsx")
+DATA = offline.BOOK.parent / "notebooks" / "data"
 
 
 def entry(sources):
@@ -38,10 +40,12 @@ def bundle(target=TARGET, sources=SOURCES):
     script = program.read_bytes()[:2] == b"#!"        # npm may have put the program itself in the place of its starter
     run = [str(offline.node_binary()), str(program)] if script else [str(program)]
     options = ["--minify", "--target=es2022", "--charset=utf8", "--log-level=warning"]
-    steps = [([*options, "--bundle", "--format=iife", "--global-name=KalmanExplorers"], entry(sources), "explorers.js"),
+    data = [f"--alias:data={DATA.as_posix()}", "--loader:.csv=text"]     # import nile from "data/nile.csv"
+    steps = [([*options, *data, "--bundle", "--format=iife", "--global-name=KalmanExplorers"], entry(sources), "explorers.js"),
              ([*options, "--loader=css"], (sources / "explorer.css").read_text(encoding="utf-8"), "explorers.css")]
     for arguments, text, name in steps:
-        made = subprocess.run([*run, *arguments], input=text, capture_output=True, encoding="utf-8", cwd=sources)
+        made = subprocess.run([*run, *arguments], input=text, capture_output=True, encoding="utf-8", cwd=sources,
+                              env={**os.environ, "NODE_PATH": str(offline.NODE_MODULES)})
         if made.returncode != 0 or made.stderr:
             sys.exit(f"book/explorers could not be bundled ({name}):\n{made.stderr}")
         if not (target / name).exists() or (target / name).read_text(encoding="utf-8") != made.stdout:

@@ -33,16 +33,20 @@
 //   question(r, s, t, random) -> {text, answer, tolerance, hint(value) -> sentence}      the hand check; tolerance relative
 //   noise     true: there is a button "new noise", which changes s.seed
 //
-// A CONTROL; visible(s) and disabled(s) are optional in all of them, id and en are its words:
+// A CONTROL; visible(s, r) and disabled(s) are optional in all of them, id and en are its words; also(value, s) -> {name: value}
+// (optional in select, text and file) is what else changes when the reader chooses or types:
 //   {name, symbol}                       slider with a field to type into; range and words from Params; every property
 //                                        can be replaced: id, en, unit, min, max, step, log. A name that Params does not
-//                                        have needs all of them and a default. auto(s): the value while s[name] is null
+//                                        have needs all of them and a default. auto(s): the value while s[name] is null.
+//                                        field: true leaves the slider out: for a range that no slider can hold
+//   {kind: "entry", id, en, button: {id, en}, enter(text, s) -> {name: value}}      one line, taken with Enter or the button
 //   {kind: "check", name, id, en}        s[name] is true or false
-//   {kind: "select", name, id, en, options: [[value, {id, en}], ...]}
+//   {kind: "select", name, id, en, options: [[value, {id, en}], ...]}    or options(s, r) -> such a list, which is then
+//                                        not part of the address
 //   {kind: "text", name, id, en, rows, placeholder}      s[name] is what was typed or pasted; not part of the address
 //   {kind: "file", name, id, en, accept} s[name] is null or {name, bytes (Uint8Array)}; a file can also be dropped on it
 //   {kind: "buttons", id, en, items: [item]}, where an item has id, en, pressed(s) (optional) and one of
-//       set: {name: value} or s => {name: value} (glide: milliseconds in which numbers move there)
+//       set: {name: value} or (s, r) => {name: value} (glide: milliseconds in which numbers move there)
 //       play: name, seconds              moves the control `name` from where it is to its end, or stops; for who wants
 //                                        no motion it jumps there, or back
 //       copy: (r, s, t) => text          puts text into the clipboard
@@ -167,7 +171,7 @@ class Explorer {
   }
 
   control(control) {
-    const part = { slider: this.slider, check: this.check, select: this.select, text: this.textArea, file: this.file, buttons: this.buttons }[control.kind || "slider"].call(this, control);
+    const part = { slider: this.slider, entry: this.entry, check: this.check, select: this.select, text: this.textArea, file: this.file, buttons: this.buttons }[control.kind || "slider"].call(this, control);
     part.element.classList.add("explorer-control", control.kind || "slider");
     return { control, ...part };
   }
@@ -185,6 +189,7 @@ class Explorer {
     if (control.symbol) name.append(make("b", {}, label(control.symbol)), " ");
     name.append(make("span", { textContent: words }));
     const element = make("div", {}, name, range, make("span", { className: "explorer-typed" }, typed, make("span", { className: "explorer-unit", textContent: control.unit })));
+    range.hidden = Boolean(control.field);
     range.addEventListener("input", () => {
       const place = Number(range.value);
       let value = place;
@@ -214,23 +219,39 @@ class Explorer {
 
   select(control) {
     const id = `${this.id}-${control.name}`;
-    const box = make("select", { id }, ...control.options.map(([value, words]) => make("option", { value, textContent: this.t.say(words) })));
-    box.addEventListener("change", () => this.change({ [control.name]: control.options[box.selectedIndex][0] }));
-    return { element: make("div", {}, make("label", { htmlFor: id, textContent: this.t.say(control) }), box), show: () => { box.value = this.s[control.name]; } };
+    const box = make("select", { id }), { options } = control;
+    let shown = [];
+    const fill = options => {
+      if (JSON.stringify(options) === JSON.stringify(shown)) return;
+      shown = options;
+      box.replaceChildren(...options.map(([value, words]) => make("option", { value, textContent: this.t.say(words) })));
+    };
+    box.addEventListener("change", () => this.choose(control, shown[box.selectedIndex][0]));
+    const show = () => { fill(typeof options === "function" ? options(this.s, this.r) : options); box.value = this.s[control.name]; };
+    return { element: make("div", {}, make("label", { htmlFor: id, textContent: this.t.say(control) }), box), show };
+  }
+
+  choose(control, value) { this.change({ [control.name]: value, ...control.also?.(value, this.s) }); }
+
+  entry(control) {
+    const id = `${this.id}-entry`, box = make("input", { type: "text", id, inputMode: "decimal", autocomplete: "off", className: "explorer-value" });
+    const enter = () => { this.change(control.enter(box.value, this.s)); box.value = ""; };
+    box.addEventListener("keydown", event => { if (event.key === "Enter") this.safely(enter); });
+    return { element: make("div", {}, make("label", { htmlFor: id, textContent: this.t.say(control) }), box, this.button(this.t.say(control.button), enter)), show() {} };
   }
 
   textArea(control) {
     const id = `${this.id}-${control.name}`, box = make("textarea", { id, rows: control.rows || 4, spellcheck: false });
     if (control.placeholder) box.placeholder = this.t.say(control.placeholder);
-    box.addEventListener("input", () => this.change({ [control.name]: box.value }));
+    box.addEventListener("input", () => this.choose(control, box.value));
     return { element: make("div", {}, make("label", { htmlFor: id, textContent: this.t.say(control) }), box),
-             show: () => { if (document.activeElement !== box) box.value = this.s[control.name] ?? ""; } };
+             show: () => { const text = this.s[control.name] ?? ""; if (document.activeElement !== box && box.value !== text) box.value = text; } };
   }
 
   file(control) {
     const id = `${this.id}-${control.name}`, box = make("input", { type: "file", id, accept: control.accept || "" });
     const take = async file => {
-      if (file) this.change({ [control.name]: { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) } });
+      if (file) this.choose(control, { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) });
     };
     box.addEventListener("change", () => take(box.files[0]));
     const element = make("div", {}, make("label", { htmlFor: id, textContent: this.t.say(control) }), box, make("span", { className: "explorer-hint", textContent: this.say("drop") }));
@@ -259,7 +280,7 @@ class Explorer {
 
   async press(item) {
     if (item.set) {
-      const changes = typeof item.set === "function" ? item.set(this.s) : item.set;
+      const changes = typeof item.set === "function" ? item.set(this.s, this.r) : item.set;
       if (item.glide && !calm()) this.glide(changes, item.glide); else this.change(changes);
     } else if (item.play) {
       this.play(item);
@@ -337,7 +358,7 @@ class Explorer {
 
   showControls() {
     for (const { control, element, show } of this.parts) {
-      element.hidden = control.visible ? !control.visible(this.s) : false;
+      element.hidden = control.visible ? !control.visible(this.s, this.r) : false;
       if (!element.hidden) show();
     }
   }
@@ -463,7 +484,7 @@ class Explorer {
   /** The controls that the address may hold, by name. */
   addressed() {
     return new Map([["seed", { name: "seed", min: 0, max: 1e9, unit: "" }],
-                    ...this.controls.filter(control => control.name && !["text", "file"].includes(control.kind)).map(control => [control.name, control])]);
+                    ...this.controls.filter(control => control.name && !["text", "file"].includes(control.kind) && typeof control.options !== "function").map(control => [control.name, control])]);
   }
 
   toHash() {

@@ -18,6 +18,7 @@ export const LOOKS = {
   estimate: { width: 2.2 },
   prediction: { width: 1.8, dash: [6, 3] },
   rival: { width: 1.8, dash: [7, 2.5, 2, 2.5] },
+  smooth: { width: 1.8, dash: [12, 4] },
   band: { band: true },
   quiet: { width: 1, dash: [2, 3] },
 };
