@@ -1,8 +1,9 @@
 """The small helper package of the book: models, simulation, filters and error measures. Needs NumPy only."""
-from .filters import FilterResult, SmootherResult, kalman_filter, predict, rts_smooth, update
+from .fast import kalman_filter, rts_smooth, smooth_runs
+from .filters import FilterResult, SmootherResult, predict, update
 from .metrics import chi2_bounds, nees, nis, rmse
 from .models import LinearModel, NonlinearModel, subtract
 from .simulate import Trajectory
 
 __all__ = ["FilterResult", "LinearModel", "NonlinearModel", "SmootherResult", "Trajectory", "chi2_bounds",
-           "kalman_filter", "nees", "nis", "predict", "rmse", "rts_smooth", "subtract", "update"]
+           "kalman_filter", "nees", "nis", "predict", "rmse", "rts_smooth", "smooth_runs", "subtract", "update"]

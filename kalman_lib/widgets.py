@@ -15,7 +15,8 @@ import numpy as np
 from IPython.display import display
 
 from . import plots
-from .filters import kalman_filter, predict, rts_smooth, update
+from .fast import kalman_filter, rts_smooth
+from .filters import predict, update
 from .metrics import chi2_bounds, nis, rmse
 from .papers import beetle as beetle_paper
 from .papers import describe, smoother, theory

@@ -13,12 +13,14 @@ ALLOWED = {     # file -> what of our own it may import, and which packages; the
     "metrics.py": (set(), NUMERICS),
     "simulate.py": ({"models"}, NUMERICS),
     "filters.py": ({"models"}, NUMERICS),
-    "__init__.py": ({"models", "metrics", "simulate", "filters"}, set()),
+    "rows.py": (set(), NUMERICS),
+    "fast.py": ({"models", "filters", "rows"}, NUMERICS),
+    "__init__.py": ({"models", "metrics", "simulate", "filters", "fast"}, set()),
     "spreadsheet.py": (set(), NUMERICS | {"openpyxl"}),
     "recording.py": ({"spreadsheet"}, NUMERICS),
     "sketch.py": (set(), NUMERICS),
     "plots.py": ({"metrics", "models", "papers", "sketch"}, NUMERICS | {"matplotlib", "PIL"}),
-    "widgets.py": ({"models", "metrics", "simulate", "filters", "papers", "plots", "spreadsheet", "recording"},
+    "widgets.py": ({"models", "metrics", "simulate", "filters", "fast", "papers", "plots", "spreadsheet", "recording"},
                    NUMERICS | {"ipywidgets", "IPython"}),
 }
 PAPER = ({"models", "simulate", "papers"}, NUMERICS)        # "papers": only the package itself, see below

@@ -54,9 +54,10 @@ def f(x, dt):
 def F(x, dt):
     """The Jacobian of f by x."""
     d, theta, v = x
-    return np.array([[1, -dt * v * np.sin(theta), dt * np.cos(theta)],
-                     [0, 1, 0],
-                     [0, 0, 1]])
+    rows = [[1, -dt * v * np.sin(theta), dt * np.cos(theta)],
+            [0, 1, 0],
+            [0, 0, 1]]
+    return np.array(rows) if np.ndim(theta) == 0 else rows      # of many runs at once each entry is a number or (runs,)
 
 
 def model(p):
@@ -65,7 +66,7 @@ def model(p):
     H = np.array([[1.0, 0, 0]])
     return NonlinearModel(f=lambda x, u: f(x, p.dt), F=lambda x, u: F(x, p.dt), h=lambda x: H @ x, H=lambda x: H,
                           Q=np.diag([0, p.Q_theta, p.Q_v]), R=p.R, x0=[p.d0, p.theta0, p.v0],
-                          P0=np.diag([p.sigma_d, p.sigma_theta, p.sigma_v]) ** 2)
+                          P0=np.diag([p.sigma_d, p.sigma_theta, p.sigma_v]) ** 2, many_runs=True)
 
 
 def linear_model(p):
