@@ -34,13 +34,11 @@ def kalman_filter(model, z, u=None, adapt_R=None):
     if adapt_R is None and model.R.ndim == 2 and z.ndim == 3 and not np.isnan(z).any():
         if _plain(model, u):
             return _filter_runs(model, z, u)
-        if isinstance(model, NonlinearModel) and model.many_runs and not (model.R - np.diag(np.diag(model.R))).any():
+        if isinstance(model, NonlinearModel) and model.many_runs and z.shape[1] == 1:
             return _extended_runs(model, z, u)
     if adapt_R is None and z.ndim == 2 and len(z) >= SHORT and _plain(model, u) \
             and (model.R.ndim == 2 or len(model.R) == len(z)):
-        found = _filter_one(_Series.of(model, z, u))
-        if found is not None:
-            return found
+        return _filter_one(_Series.of(model, z, u))
     return filters.kalman_filter(model, z, u, adapt_R)
 
 
@@ -65,8 +63,9 @@ class _Series(NamedTuple):
     @classmethod
     def of(cls, model, z, u):
         drive = None if u is None or not u.any() else u @ model.B.T
-        gaps = np.isnan(z)
-        missing = gaps.any(axis=1) if gaps.any() else None
+        missing = np.isnan(z).any(axis=1) if np.isnan(z).any() else None
+        if missing is not None:
+            z = np.where(missing[:, np.newaxis], np.nan, z)     # one NaN, and no sensor has measured
         return cls(model.F, model.H, model.Q, model.R, model.x0, model.P0, z, drive, missing)
 
     def part(self, states, sensors):
@@ -184,14 +183,12 @@ def _apply(A, x, out=None):
 # --- one run ---------------------------------------------------------------------------------------------------------
 
 def _filter_one(s):
-    """The FilterResult of one run; None where no fast form fits."""
-    if s.R.ndim == 3 and (s.R * (1 - np.eye(s.R.shape[-1]))).any():
-        return None                             # sensors that a changing R couples
+    """The FilterResult of one run."""
     parts = independent(s)
     varies = s.missing is not None or s.R.ndim == 3
     found = in_blocks(s, parts) if varies and len(s.z) >= LONG else None
     if found is None:
-        found = [_filter_number(part) if part.F.shape == part.H.shape == (1, 1) else _filter_entries(part)
+        found = [_filter_number(part) if part.F.shape == part.H.shape == (1, 1) else _filter_states(part)
                  for _, part in parts]
     steps = max(len(P) for _, P in found)
     if len(parts) == 1:
@@ -265,13 +262,15 @@ def _filter_number(s):
     return states if k == T else _settled(s, states, np.array([[K_steady]])), P[:, np.newaxis, np.newaxis]
 
 
-def _filter_entries(s):
-    """A few states, entry by entry (rows.py), one sensor after the other."""
-    T, step, varies = len(s.z), _Step([s]), s.missing is not None or s.R.ndim == 3
-    z, R = _floats(step.z[0]), _floats(np.broadcast_to(step.R[0], step.z[0].shape))
-    drive = repeat(None) if s.drive is None else _floats(s.drive)
+def _filter_states(s):
+    """A few states, step by step, in the quicker of the two forms of a step, until the gain has settled."""
+    T, varies, one_sensor = len(s.z), s.missing is not None or s.R.ndim == 3, len(s.H) == 1
+    step = _Entries([s]) if one_sensor else _Matrices(s)
+    rows_of = _floats if one_sensor else iter
+    z, R = rows_of(s.z), repeat(s.R.tolist() if one_sensor else s.R) if s.R.ndim == 2 else rows_of(s.R)
+    drive = repeat(None) if s.drive is None else rows_of(s.drive)
     missing = repeat(False) if s.missing is None else _floats(s.missing)
-    x, P, states, covariances, settled = s.x0.tolist(), s.P0.tolist(), [], [], False
+    x, P, states, covariances = (s.x0.tolist(), s.P0.tolist(), [], []) if one_sensor else (s.x0, s.P0, [], [])
     for k, z_k, R_k, drive_k, missing_k in zip(range(T), z, R, drive, missing):
         before = P
         x, P = step.predict(x, P, drive_k)
@@ -279,8 +278,7 @@ def _filter_entries(s):
             x, P = step.update(x, P, z_k, R_k)
         states.append(x)
         covariances.append(P)
-        settled = not varies and (P == before or (k % 8 == 7 and _close(s, P, before)))
-        if settled:
+        if not varies and k % 8 == 7 and _close(s, P, before):
             break
     states, covariances = np.array(states), np.array(covariances)
     return states if len(states) == T else _settled(s, states, _gain(s, P)), covariances
@@ -291,32 +289,37 @@ def _floats(a):
     return chain.from_iterable(a[k:k + 500].tolist() for k in range(0, len(a), 500))
 
 
-class _Step:
-    """One step in entries, for one series or, with parts of the same shape, for blocks of all of them side by side.
+class _Matrices:
+    """One step of one series in matrices, as in filters.py. Joseph's form is needed here: with several sensors of a tiny R
+    every other one leaves P to rounding."""
 
-    The sensors are used one after the other, which is exact if their noise is independent. Where R couples them, they
-    are replaced by L^-1 z = L^-1 H x + L^-1 v with R = L L', whose noise has the covariance I.
-    """
-    def __init__(self, parts, lanes=None):
-        self.z, self.R, H = [], [], []
-        for s in parts:
-            if s.R.ndim == 3 or not (s.R - np.diag(np.diag(s.R))).any():
-                self.z.append(s.z)
-                self.R.append(np.diagonal(np.atleast_3d(s.R.T).T, axis1=1, axis2=2))
-                H.append(s.H)
-            else:
-                L = np.linalg.cholesky(s.R)
-                self.z.append(np.linalg.solve(L, s.z.T).T)
-                self.R.append(np.ones((1, len(L))))
-                H.append(np.linalg.solve(L, s.H))
+    def __init__(self, s):
+        self.s, self.I = s, np.eye(len(s.x0))
 
-        def entries(matrices):                  # a number where all parts have the same, else an array over the lanes
+    def predict(self, x, P, drive=None):
+        F = self.s.F
+        return F @ x if drive is None else F @ x + drive, _symmetric(F @ P @ F.T + self.s.Q)
+
+    def update(self, x, P, z, R):
+        H = self.s.H
+        HP = H @ P
+        K = np.linalg.solve(HP @ H.T + R, HP).T
+        I_KH = self.I - K @ H
+        return x + K @ (z - H @ x), _symmetric(I_KH @ P @ I_KH.T + K @ R @ K.T)
+
+
+class _Entries:
+    """One step entry by entry (rows.py), for one sensor at most: of one series in Python floats, or of several parts of
+    the same shape, each cut into so many blocks, all side by side."""
+
+    def __init__(self, parts, blocks=None):
+        def entries(matrices):                  # a number where all parts have the same, else an array
             def entry(values):
-                return float(values[0]) if (values == values[0]).all() else np.repeat(values, lanes)
+                return float(values[0]) if (values == values[0]).all() else np.repeat(values, blocks)
             stack = np.array(matrices)
             return [[entry(stack[:, i, j]) for j in range(stack.shape[2])] for i in range(stack.shape[1])]
 
-        self.F, self.H = rows.sparse(entries([s.F for s in parts])), rows.sparse(entries(H))
+        self.F, self.H = (rows.sparse(entries(M)) for M in ([s.F for s in parts], [s.H for s in parts]))
         self.Q = [[None if np.ndim(q) == 0 and q == 0 else q for q in row] for row in entries([s.Q for s in parts])]
 
     def predict(self, x, P, drive=None):
@@ -326,11 +329,9 @@ class _Step:
         return x, rows.predict(P, self.F, self.Q)
 
     def update(self, x, P, z, R, seen=None):
-        for H_i, z_i, R_i in zip(self.H, z, R):
-            P, K, _ = rows.update(P, H_i, R_i, seen)
-            y = z_i - rows.dot(H_i, x)
-            x = [x_j + K_j * y for x_j, K_j in zip(x, K)]
-        return x, P
+        P, K, _ = rows.update(P, self.H[0], R[0][0], seen)
+        y = z[0] - rows.dot(self.H[0], x)
+        return [x_i + K_i * y for x_i, K_i in zip(x, K)], P
 
 
 def _gain(s, P):
@@ -423,9 +424,9 @@ def in_blocks(s, parts):
     J with J x_start = g. Then, from block to block: the start, combined with what its own block says about it, gives the
     end, which is the start of the next block.
     """
-    if len({part.F.shape + part.H.shape for _, part in parts}) > 1 or not parts[0][1].H.size:
-        return None
     parts = [part for _, part in parts]
+    if len({part.F.shape for part in parts}) > 1 or {len(part.H) for part in parts} != {1}:
+        return None
     T, n = len(s.z), len(parts[0].x0)
     length = max(64, math.isqrt(T))
     blocks = -(-T // length)
@@ -435,9 +436,9 @@ def in_blocks(s, parts):
                 for a in arrays]
         return np.ascontiguousarray(np.concatenate(both).transpose(1, 2, 0))
 
-    step, width = _Step(parts, blocks), len(parts) * blocks
-    R = lanes(np.broadcast_to(R, (T, R.shape[1])) for R in step.R)
-    z, drive, seen = lanes(step.z), repeat(None), repeat(None)
+    step, width = _Entries(parts, blocks), len(parts) * blocks
+    R = lanes(np.broadcast_to(part.R, (T, 1, 1))[:, 0] for part in parts)[:, np.newaxis]
+    z, drive, seen = lanes(part.z for part in parts), repeat(None), repeat(None)
     if s.drive is not None:
         drive = lanes(part.drive for part in parts)
     if s.missing is not None:
@@ -451,14 +452,14 @@ def in_blocks(s, parts):
     for z_k, R_k, drive_k, seen_k in zip(z, R, drive, seen):
         x, P = step.predict(x, P, drive_k)
         A = [[rows.dot(row, column) for row in step.F] for column in A]
-        for H_i, z_i, R_i in zip(step.H, z_k, R_k):
-            P, K, S = rows.update(P, H_i, R_i, seen_k)
-            y, HA = z_i - rows.dot(H_i, x), [rows.dot(H_i, column) for column in A]
-            HA_S = [a / S if seen_k is None else a / S * seen_k for a in HA]
-            g = [g_i + a * y for g_i, a in zip(g, HA_S)]
-            J = rows.symmetric(n, lambda i, j: J[i][j] + HA_S[i] * HA[j])
-            x = [x_j + K_j * y for x_j, K_j in zip(x, K)]
-            A = [[a - K_j * HA_j for a, K_j in zip(column, K)] for column, HA_j in zip(A, HA)]
+        H = step.H[0]
+        P, K, S = rows.update(P, H, R_k[0][0], seen_k)
+        y, HA = z_k[0] - rows.dot(H, x), [rows.dot(H, column) for column in A]
+        HA_S = [a / S if seen_k is None else a / S * seen_k for a in HA]
+        g = [g_i + a * y for g_i, a in zip(g, HA_S)]
+        J = rows.symmetric(n, lambda i, j: J[i][j] + HA_S[i] * HA[j])
+        x = [x_j + K_j * y for x_j, K_j in zip(x, K)]
+        A = [[a - K_j * HA_j for a, K_j in zip(column, K)] for column, HA_j in zip(A, HA)]
 
     def stack(nested, *shape):                  # entries -> (blocks, parts, ...)
         return np.array(nested).reshape(*shape, len(parts), blocks).transpose(-1, -2, *range(len(shape)))
@@ -527,32 +528,27 @@ def _filter_runs(model, z, u):
         before += work
         if drive is not None:
             before += drive[k]
-    if isinstance(alone, LazyFilterResult):
-        return _result(s, x, alone.gains)
-    lazy = _result(s, x, _Gains(s, T, alone.P))
-    lazy.__dict__.update({name: getattr(alone, name) for name in ("P_pred", "P", "S", "K", "F", "R")})
-    return lazy
+    P = alone.gains.P if isinstance(alone, LazyFilterResult) else alone.P
+    return _result(s, x, _Gains(s, len(P), P))
 
 
 def _extended_runs(model, z, u):
-    """The extended Kalman filter of many runs, z (T, m, runs), entry by entry: every run has its own P, S, K and F.
+    """The extended Kalman filter of many runs, z (T, 1, runs), entry by entry: every run has its own P, S, K and F.
 
     These have the axis of the runs, too, as their last one: P (T, n, n, runs) and so on.
     """
     T, m, runs = z.shape
-    n, R, Q = len(model.x0), np.diag(model.R).tolist(), [[q or None for q in row] for row in model.Q.tolist()]
+    n, R, Q = len(model.x0), float(model.R[0, 0]), [[q or None for q in row] for row in model.Q.tolist()]
     u = repeat(None) if u is None else u
     x, P = np.empty((T, n, runs)), []
     x_k, P_k = np.repeat(model.x0[:, np.newaxis], runs, axis=1), model.P0.tolist()
     for k, u_k in zip(range(T), u):
         F = rows.sparse(model.F(x_k, u_k))
-        x_pred = x_k = model.f(x_k, u_k)
+        x_pred = model.f(x_k, u_k)
         P_k = rows.predict(P_k, F, Q)
-        y = model.residual(z[k], model.h(x_pred))
-        for i, H_i in enumerate(rows.sparse(model.H(x_pred))):
-            P_k, K, _ = rows.update(P_k, H_i, R[i])
-            y_i = y[i] if i == 0 else y[i] - rows.dot(H_i, x_k - x_pred)       # what the sensors before it left
-            x_k = np.add(x_k, [K_j * y_i for K_j in K], out=x[k])
+        y = model.residual(z[k], model.h(x_pred))[0]
+        P_k, K, _ = rows.update(P_k, rows.sparse(model.H(x_pred))[0], R)
+        x_k = np.add(x_pred, [K_i * y for K_i in K], out=x[k])
         P.append(P_k)
 
     def dense(M, *shape):

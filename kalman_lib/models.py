@@ -72,8 +72,7 @@ class NonlinearModel:
     f(x, u) -> (n,), F(x, u) -> (n, n) its matrix of partial derivatives (Jacobian) by x, h(x) -> (m,),
     H(x) -> (m, n) its Jacobian; Q, R, x0, P0 and residual as in LinearModel. u is None where there is no input.
     many_runs=True says that the functions also take many runs at once, x (n, runs): f and h then return (n, runs) and
-    (m, runs), and F and H rows of entries, each a number or (runs,). Such a model filters z (T, m, runs) with constant,
-    diagonal R.
+    (m, runs), and F and H rows of entries, each a number or (runs,). Such a model of one sensor filters z (T, 1, runs).
 
     ValueError: as LinearModel; the shapes that f, F, h and H return are checked whenever they are called.
     """
