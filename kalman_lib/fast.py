@@ -31,7 +31,7 @@ STEADY = 0.9995         # a filter that keeps more than this of an error from st
 def kalman_filter(model, z, u=None, adapt_R=None):
     z = _series("z", z, width=model.R.shape[-1], runs=True)
     u = None if u is None else _series("u", u, steps=len(z))
-    if adapt_R is None and model.R.ndim == 2 and z.ndim == 3 and not np.isnan(z).any():
+    if adapt_R is None and model.R.ndim == 2 and z.ndim == 3 and not np.isnan(z.max()):
         if _plain(model, u):
             return _filter_runs(model, z, u)
         if isinstance(model, NonlinearModel) and model.many_runs and z.shape[1] == 1:
@@ -63,8 +63,9 @@ class _Series(NamedTuple):
     @classmethod
     def of(cls, model, z, u):
         drive = None if u is None or not u.any() else u @ model.B.T
-        missing = np.isnan(z).any(axis=1) if np.isnan(z).any() else None
-        if missing is not None:
+        missing = None
+        if np.isnan(z.max()):                   # NaN is the maximum of whatever holds one
+            missing = np.isnan(z).any(axis=1)
             z = np.where(missing[:, np.newaxis], np.nan, z)     # one NaN, and no sensor has measured
         return cls(model.F, model.H, model.Q, model.R, model.x0, model.P0, z, drive, missing)
 
@@ -231,7 +232,7 @@ def _filter_number(s):
     F, H, Q, x, P = (float(M.flat[0]) for M in (s.F, s.H, s.Q, s.x0, s.P0))
     T, z = len(s.z), _floats(s.z[:, 0])
     drive = repeat(0.0) if s.drive is None else _floats(s.drive[:, 0])
-    states, variances, before = [], [], None
+    states, variances = [], []
     if s.missing is not None or s.R.ndim == 3:
         for z_k, drive_k, R_k in zip(z, drive, _floats(np.broadcast_to(s.R, (T, 1, 1))[:, 0, 0])):
             x, P = F * x + drive_k, F * P * F + Q
@@ -245,13 +246,10 @@ def _filter_number(s):
 
     R = float(s.R[0, 0])
     FF, HH = F * F, H * H
-    for _ in range(T):
-        P_pred = FF * P + Q
-        P = P_pred * (R / (HH * P_pred + R))    # (1 - K H) P_pred, without a difference that cancels
-        if P == before:                         # P depends on the P before it only: from here on it stays
+    while len(variances) < T:                   # (1 - K H) P_pred = P_pred R / S, without a difference that cancels
+        variances += [P := (P_pred := FF * P + Q) * (R / (HH * P_pred + R)) for _ in range(min(64, T - len(variances)))]
+        if P == variances[-2]:                  # P depends on the P before it only: from here on it stays
             break
-        variances.append(P)
-        before = P
     P = np.array(variances)
     gains = (P * (H / R)).tolist()              # K = P H / R
     K_steady = gains[-1]
@@ -278,7 +276,7 @@ def _filter_states(s):
             x, P = step.update(x, P, z_k, R_k)
         states.append(x)
         covariances.append(P)
-        if not varies and k % 8 == 7 and _close(s, P, before):
+        if not varies and k % 8 == 7 and abs(P[0][0] - before[0][0]) <= 1e-13 * P[0][0] and _close(s, P, before):
             break
     states, covariances = np.array(states), np.array(covariances)
     return states if len(states) == T else _settled(s, states, _gain(s, P)), covariances
@@ -651,9 +649,9 @@ def _smooth_settled(s, x, G):
 def _smoother_P(gains, G, T):
     """P (T, n, n) of the smoother: it settles backwards, too, and changes again where the filter had not yet settled."""
     P, P_pred, k = gains.P, gains.P_pred, len(G) - 1
-    last, smooth, rest = P[-1], np.empty((T, *G.shape[1:])), T - 1
-    contraction = max(1 - _radius(G[-1]) ** 2, 0)
-    smooth[rest] = last
+    smooth, rest = np.empty((T, *G.shape[1:])), T - 1
+    limit = 1e-13 * max(1 - _radius(G[-1]) ** 2, 0)
+    smooth[rest] = P[-1]
 
     def back(i, P_next):
         j = min(i, k)
@@ -662,9 +660,8 @@ def _smoother_P(gains, G, T):
     while rest > k:
         rest -= 1
         smooth[rest] = back(rest, smooth[rest + 1])
-        change = np.abs(smooth[rest] - smooth[rest + 1])
-        sigma = np.sqrt(np.diag(smooth[rest]))
-        if (change <= 1e-13 * contraction * np.outer(sigma, sigma)).all():
+        sigma = np.sqrt(np.diag(smooth[rest])) if rest % 8 == 0 else 0
+        if rest % 8 == 0 and (np.abs(smooth[rest] - smooth[rest + 1]) <= limit * np.outer(sigma, sigma)).all():
             smooth[k:rest] = smooth[rest]
             rest = k
     while rest > 0:

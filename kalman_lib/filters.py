@@ -203,7 +203,8 @@ def _series(name, values, width=None, steps=None, runs=False):
             or len(array) != (steps or len(array)):
         wanted = f"({expected[0]}, {expected[1]})" + (f" or ({expected[0]}, {expected[1]}, runs)" if runs else "")
         raise ValueError(_shape_message(name, array.shape, wanted))
-    if np.isinf(array).any() or (name == "u" and np.isnan(array).any()):
+    low, high = array.min(), array.max()        # NaN where there is one; else infinity shows here
+    if low == -np.inf or high == np.inf or (np.isnan(high) and (name == "u" or np.isinf(array).any())):
         k = int(np.argwhere(~np.isfinite(array) if name == "u" else np.isinf(array))[0, 0])
         raise ValueError(f"{name}[{k}] is {array[k]}; expected finite numbers. / "
                          f"{name}[{k}] berisi {array[k]}; seharusnya bilangan berhingga.")
