@@ -27,6 +27,9 @@ serve: book ## show the built book at http://localhost:8000 (another port: make 
 	@echo "The book is at http://localhost:$(PORT) (stop with Ctrl+C)"
 	$(PY) -m http.server $(PORT) --bind 127.0.0.1 --directory _build/site
 
+bench: $(VENV)/.installed ## time the filters beside other libraries: pip install -r tests/bench-requirements.txt
+	$(PY) tests/bench_filters.py
+
 outputs: $(VENV)/.installed ## run the notebooks and store their outputs
 	$(PY) -m nbconvert --to notebook --execute --inplace --ExecutePreprocessor.store_widget_state=False notebooks/*.ipynb
 

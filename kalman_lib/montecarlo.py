@@ -182,27 +182,42 @@ def _seeds(rng, blocks):
 def _work(tasks, executor, resume):
     """Do what is not yet done -> number of the task -> its answer; interrupted: those that are finished."""
     done = {} if resume is None else dict(resume.blocks)
-    left = [i for i in range(len(tasks)) if i not in done]
-    futures = {}
     with _progress(len(tasks), len(done)) as bar:
         try:
             if executor is None:
-                for i in left:
-                    function, *arguments = tasks[i]
-                    done[i] = function(*arguments)
-                    bar.update()
+                for i in range(len(tasks)):
+                    if i not in done:
+                        function, *arguments = tasks[i]
+                        done[i] = function(*arguments)
+                        bar.update()
             else:
-                from concurrent.futures import as_completed
-                futures = {executor.submit(*tasks[i]): i for i in left}
-                for future in as_completed(futures):
-                    done[futures[future]] = future.result()
-                    bar.update()
+                for last in (False, False, True):
+                    _hand_out(tasks, executor, done, bar, last)
         except KeyboardInterrupt:
-            for future, i in futures.items():
-                if not future.cancel() and future.done() and future.exception() is None:
-                    done[i] = future.result()
             print(f"{len(done)} / {len(tasks)} (resume=...)")
     return done
+
+
+def _hand_out(tasks, executor, done, bar, last):
+    """Let the executor do what is left. A block that fails is left for the next round: its worker may have died, and the
+    seed makes its numbers the same again. If all fail, or some still do in the last round, it is not the worker."""
+    from concurrent.futures import as_completed
+    futures = {executor.submit(*tasks[i]): i for i in range(len(tasks)) if i not in done}
+    errors = []
+    try:
+        for future in as_completed(futures):
+            try:
+                done[futures[future]] = future.result()
+                bar.update()
+            except Exception as error:
+                errors.append(error)
+    except KeyboardInterrupt:
+        for future, i in futures.items():       # what has finished meanwhile counts, too
+            if not future.cancel() and future.done() and future.exception() is None:
+                done[i] = future.result()
+        raise
+    if errors and (last or len(errors) == len(futures)):
+        raise errors[0]
 
 
 def _progress(total, initial):

@@ -116,6 +116,22 @@ def test_an_interrupted_study_keeps_what_is_done_and_goes_on(threads, monkeypatc
     assert whole.complete and len(calls) - before == 3 - len(part.blocks) and same(whole, study())
 
 
+def test_a_block_that_fails_is_done_again_and_a_real_error_is_told(monkeypatch):
+    calls, block = [], montecarlo._block
+
+    def unlucky(*arguments):
+        calls.append(arguments)
+        if len(calls) == 2:
+            raise OSError("the worker died")
+        return block(*arguments)
+
+    monkeypatch.setattr(montecarlo, "_block", unlucky)
+    with ThreadPoolExecutor(1) as pool:
+        assert same(study(pool), study()) and len(calls) == 4 + 3
+        with pytest.raises(ValueError, match="sigma_w = 0"):
+            study(pool, assumed=replace(PARAMS, sigma_w=0))
+
+
 def test_an_interrupted_map_is_NaN_where_nothing_is_finished():
     table = mismatch_map(gyro, PARAMS, ASSUMED, 100, np.random.default_rng(1))
     part = replace(table, blocks={1: table.blocks[1]})
@@ -149,4 +165,7 @@ def test_a_dask_cluster_that_loses_a_worker_gives_the_same_bits():
         threading.Thread(target=kill, daemon=True).start()
         together = monte_carlo(gyro, PARAMS, 60 * montecarlo.BLOCK, np.random.default_rng(1), executor)
         assert killed and killed[0] < 60 and together.complete and same(alone, together)
-        assert set(client.run(os.getpid).values()) != set(workers.values())
+        with pytest.raises(ProcessLookupError):
+            for _ in range(500):                # until its parent has noticed
+                os.kill(next(iter(workers.values())), 0)
+                time.sleep(0.01)
