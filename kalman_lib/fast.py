@@ -71,11 +71,16 @@ class _Series(NamedTuple):
 
     def part(self, states, sensors):
         """The series of some states and sensors alone."""
-        block, sees = np.ix_(states, states), np.ix_(sensors, states)
-        R = self.R[..., sensors, :][..., sensors]
-        return self._replace(F=self.F[block], H=self.H[sees], Q=self.Q[block], R=R, x0=self.x0[states],
-                             P0=self.P0[block], z=self.z[:, sensors],
-                             drive=None if self.drive is None else self.drive[:, states])
+        def indices(numbers):                   # a slice, where it can be, for it copies nothing
+            neighbours = numbers == list(range(numbers[0], numbers[0] + len(numbers))) if numbers else False
+            return slice(numbers[0], numbers[-1] + 1) if neighbours else np.array(numbers, dtype=int)
+
+        def cut(M, rows, columns):
+            return M[..., rows, :][..., columns]
+        i, j = indices(states), indices(sensors)
+        return self._replace(F=cut(self.F, i, i), H=cut(self.H, j, i), Q=cut(self.Q, i, i), R=cut(self.R, j, j),
+                             x0=self.x0[i], P0=cut(self.P0, i, i), z=self.z[:, j],
+                             drive=None if self.drive is None else self.drive[:, i])
 
 
 # --- results that compute their fields when they are read ------------------------------------------------------------
@@ -212,9 +217,8 @@ def independent(s):
     n = len(s.x0)
     if n == 1:
         return [([0], s)]
-    R = s.R if s.R.ndim == 2 else np.abs(s.R).max(axis=0)
-    linked = np.block([[np.abs(s.F) + np.abs(s.F.T) + np.abs(s.Q) + np.abs(s.P0), np.abs(s.H.T)],
-                       [np.abs(s.H), np.abs(R)]]) > 0
+    R = s.R if s.R.ndim == 2 else s.R.any(axis=0)
+    linked = np.block([[(s.F != 0) | (s.F.T != 0) | (s.Q != 0) | (s.P0 != 0), s.H.T != 0], [s.H != 0, R != 0]])
     parts, free = [], set(range(n))
     while free:
         group, new = set(), {min(free)}
@@ -546,7 +550,9 @@ def _extended_runs(model, z, u):
         P_k = rows.predict(P_k, F, Q)
         y = model.residual(z[k], model.h(x_pred))[0]
         P_k, K, _ = rows.update(P_k, rows.sparse(model.H(x_pred))[0], R)
-        x_k = np.add(x_pred, [K_i * y for K_i in K], out=x[k])
+        x_k = x[k]
+        for i, K_i in enumerate(K):
+            np.add(x_pred[i], K_i * y, out=x_k[i])
         P.append(P_k)
 
     def dense(M, *shape):

@@ -145,27 +145,30 @@ def _check_noise(Q, R, x0, P0, n, m):
     _check_shape("R", R, (m, m) if R.ndim < 3 else (len(R), m, m))
     check_covariance("Q", Q)
     check_covariance("P0", P0)
-    for R_k in R.reshape(-1, m, m):
-        check_covariance("R", R_k, definite=True)
+    check_covariance("R", R, definite=True)
 
 
 def check_covariance(name, P, definite=False):
-    """ValueError unless P (n, n) is symmetric and positive semi-definite (definite=True: positive definite)."""
-    scale = np.sqrt(np.abs(np.diag(P)))
-    scale[scale == 0] = 1
-    C = P / np.outer(scale, scale)          # unit diagonal, so that mixed units (1e-9 beside 1e9) do no harm
-    if np.abs(C - C.T).max() > 1e-9:
-        raise ValueError(f"{name}, shape {P.shape}, is not symmetric; expected a symmetric {P.shape} covariance. / "
-                         f"{name}, ukuran {P.shape}, tidak simetris; seharusnya kovarians simetris {P.shape}.")
+    """ValueError unless P (n, n) is symmetric and positive semi-definite (definite=True: positive definite).
+
+    P (T, n, n): every one of them.
+    """
+    scale = np.sqrt(np.abs(np.diagonal(P, axis1=-2, axis2=-1)))
+    scale = np.where(scale == 0, 1, scale)
+    C = P / (scale[..., :, np.newaxis] * scale[..., np.newaxis, :])     # unit diagonal, so that mixed units (1e-9 beside
+    shape = P.shape[-2:]                                                # 1e9) do no harm
+    if np.abs(C - C.swapaxes(-1, -2)).max() > 1e-9:
+        raise ValueError(f"{name}, shape {shape}, is not symmetric; expected a symmetric {shape} covariance. / "
+                         f"{name}, ukuran {shape}, tidak simetris; seharusnya kovarians simetris {shape}.")
     eigenvalues = np.linalg.eigvalsh(C)
-    if definite and not eigenvalues[0] > 0:
-        raise ValueError(f"{name}, shape {P.shape}, is not positive definite (every variance in it must be > 0); "
-                         f"expected a positive definite {P.shape} matrix. / {name}, ukuran {P.shape}, tidak definit "
-                         f"positif (setiap varians harus > 0); seharusnya matriks {P.shape} definit positif.")
-    if eigenvalues[0] < -1e-9 * abs(eigenvalues[-1]):
-        raise ValueError(f"{name}, shape {P.shape}, is not positive semi-definite (no variance may be negative); "
-                         f"expected a covariance of shape {P.shape}. / {name}, ukuran {P.shape}, tidak semidefinit "
-                         f"positif (varians tidak boleh negatif); seharusnya kovarians berukuran {P.shape}.")
+    if definite and not (eigenvalues[..., 0] > 0).all():
+        raise ValueError(f"{name}, shape {shape}, is not positive definite (every variance in it must be > 0); "
+                         f"expected a positive definite {shape} matrix. / {name}, ukuran {shape}, tidak definit "
+                         f"positif (setiap varians harus > 0); seharusnya matriks {shape} definit positif.")
+    if (eigenvalues[..., 0] < -1e-9 * np.abs(eigenvalues[..., -1])).any():
+        raise ValueError(f"{name}, shape {shape}, is not positive semi-definite (no variance may be negative); "
+                         f"expected a covariance of shape {shape}. / {name}, ukuran {shape}, tidak semidefinit "
+                         f"positif (varians tidak boleh negatif); seharusnya kovarians berukuran {shape}.")
 
 
 def _freeze(model, **arrays):

@@ -11,7 +11,7 @@ import numpy as np
 def sparse(M):
     """A matrix as rows of (column, entry), without its zeros; None stands for the entry 1."""
     def is_number(entry, value):
-        return np.ndim(entry) == 0 and entry == value
+        return not isinstance(entry, np.ndarray) and entry == value
     return [[(j, None if is_number(entry, 1) else entry) for j, entry in enumerate(row) if not is_number(entry, 0)]
             for row in M]
 

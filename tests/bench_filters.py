@@ -406,22 +406,22 @@ def measure(work, seconds):
 def python(code):
     """What a fresh interpreter prints."""
     return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT,
-                          env={**os.environ, "PYTHONPATH": str(ROOT)}).stdout
+                          env={**os.environ, "PYTHONPATH": str(ROOT), "PYTHONDONTWRITEBYTECODE": ""}).stdout
 
 
 def small_things():
     """Import time beyond NumPy's (ms), memory of a million steps (MB), size of the package (kB)."""
     imports = [float(python("import numpy, time; t = time.perf_counter(); import kalman_lib; print(time.perf_counter() - t)"))
-               for _ in range(7)]
+               for _ in range(8)][1:]           # the first one compiles
     memory = python("""
-import resource, numpy as np
+import tracemalloc, numpy as np
 from kalman_lib import LinearModel, kalman_filter, rts_smooth
 model, z = LinearModel(F=1, H=1, Q=0.01, R=1, x0=0, P0=1), np.random.default_rng(0).normal(size=1_000_000)
 rts_smooth(kalman_filter(model, z[:5000])).x
-before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+tracemalloc.start()
 smooth = rts_smooth(kalman_filter(model, z))
 x, P = smooth.x, smooth.P
-print((resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1024)""")
+print(tracemalloc.get_traced_memory()[1] / 1e6)""")
     numerics = [path for path in (ROOT / "kalman_lib").rglob("*.py") if path.name not in ("plots.py", "widgets.py", "spreadsheet.py")]
     return {"import_ms_beyond_numpy": 1000 * statistics.median(imports), "million_steps_MB": float(memory),
             "numerics_kB": sum(path.stat().st_size for path in numerics) / 1000,
