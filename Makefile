@@ -17,9 +17,6 @@ test: $(VENV)/.npm ## run every test, then every notebook again, comparing its s
 	$(PY) -m pytest tests
 	$(PY) -m pytest --nbval notebooks
 
-bench: $(VENV)/.npm ## print how quick the explorers are
-	$(PY) tests/bench_explorers.py
-
 lab: $(VENV)/.installed ## open the notebooks in JupyterLab
 	$(PY) -m jupyterlab --notebook-dir=notebooks
 
@@ -27,8 +24,9 @@ serve: book ## show the built book at http://localhost:8000 (another port: make 
 	@echo "The book is at http://localhost:$(PORT) (stop with Ctrl+C)"
 	$(PY) -m http.server $(PORT) --bind 127.0.0.1 --directory _build/site
 
-bench: $(VENV)/.installed ## time the filters beside other libraries: pip install -r tests/bench-requirements.txt
+bench: $(VENV)/.npm ## time filters, widgets and explorers; peers: pip install -r tests/bench-requirements.txt
 	$(PY) tests/bench_filters.py
+	$(PY) tests/bench_explorers.py
 
 outputs: $(VENV)/.installed ## run the notebooks and store their outputs
 	$(PY) -m nbconvert --to notebook --execute --inplace --ExecutePreprocessor.store_widget_state=False notebooks/*.ipynb
