@@ -206,7 +206,7 @@ function outcome(r, s, t) {
 
 function facts(r, s, t) {
   const truth = { d: r.true_d[r.k], s: s.v * Math.cos(s.theta), theta: s.theta, v: s.v }, units = { d: "d (cm)", s: "s (cm/s)", theta: "θ (rad)", v: "v (cm/s)" };
-  return { head: [t.say({ id: "Sesudah {t} s", en: "After {t} s" }, { t: r.t[r.k] }), t.say({ id: "sebenarnya", en: "true" }), "filter", "±2σ"],
+  return { head: [t.say({ id: "Sesudah {t} s", en: "After {t} s" }, { t: r.t[r.k] }), t.say({ id: "sebenarnya", en: "true" }), t.say({ id: "menurut filter", en: "filter's" }), "±2σ"],
            rows: Object.entries(units).map(([name, unit]) => [unit, ...[truth[name], r[name].x[r.k], 2 * r[name].sigma[r.k]].map(value => t.decimal(value))]) };
 }
 

@@ -187,7 +187,7 @@ function outcome(r, s, t) {
 function facts(r, s, t) {
   const fits = [r.data.theta, ...(r.still ? [r.average, r.still] : [])];
   const head = [{ id: "pencocokan", en: "fit" }, { id: "rata-rata pada derau ini", en: "on average at this noise" }, { id: "tanpa derau", en: "without noise" }];
-  return { head: ["", ...head.slice(0, fits.length).map(words => t.say(words))],
+  return { head: ["AR(2)", ...head.slice(0, fits.length).map(words => t.say(words))],
            rows: [...["c (m/s)", "a_1", "a_2"].map((name, i) => [name, ...fits.map(theta => t.decimal(theta[i], 4))]),
                   [t.say({ id: "kutub p", en: "poles p" }), ...fits.map(theta => said(poles(theta[1], theta[2]), t))]] };
 }
@@ -246,7 +246,7 @@ export const views = {
       { kind: "select", name: "speed_unit", default: "m/s", id: "Satuan kecepatan", en: "Unit of speed", visible: own,
         options: Object.keys(SPEED_UNITS).map(unit => [unit, { "km/h": { id: "km/jam", en: "km/h" }, kn: { id: "knot", en: "knots" } }[unit] ?? unit]) },
       { kind: "select", name: "sign", default: "auto", id: "Tanda desimal", en: "Decimal sign", visible: own,
-        options: [["auto", { id: "kenali sendiri", en: "find out" }], ["comma", { id: "koma (1,5)", en: "comma (1,5)" }], ["point", { id: "titik (1.5)", en: "point (1.5)" }]] },
+        options: [["auto", { id: "kenali sendiri", en: "find out" }], ["comma", { id: "koma", en: "comma" }], ["point", { id: "titik", en: "point" }]] },
       { kind: "buttons", items: [{ id: "Kembali ke uji tarik sintetis", en: "Back to the synthetic towing run", set: { text: null, file: null } }], visible: own },
     ],
     compute,
