@@ -22,10 +22,11 @@
 //                                        throw new InputError({id, en}) (words.js): the sentence is shown, the figure stays
 //   *refine(r, s)                        (optional) a generator for long work: it improves r and yields every millisecond
 //                                        or so; r is drawn when some time is used up, and again until it is done
-//   plots     [{title, alt: {id, en}, xlabel, height, half, after, equal, xlog, ylog,
+//   plots     [{title, alt: {id, en}, xlabel, height, half, after, equal, bare, xlog, ylog,
 //               draw(r, s, t) -> {layers, xlim, ylim},     layers: see plot.js
 //               drag(x, y, s, r) -> {name: value} or null, the pointer drags in the figure (give keyboard users a slider)
-//               visible(s)}]             after: below the controls; half: two beside each other where there is room
+//               visible(s)}]             after: below the controls; half: two beside each other where there is room;
+//                                        bare: without axes
 //   outcome(r, s, t) -> sentence         what came out; shown, and read aloud when the reader pauses
 //   facts(r, s, t) -> {head, rows}       (optional) a small table; the first cell of a row names it; "x_true" gets an index
 //   equations(r, s, t) -> [line]         (optional) a line is a list of words "x_pred = F x" and {matrix: [[...], ...]}
@@ -406,6 +407,7 @@ class Explorer {
     this.playing = item.play;
     const step = now => {
       if (this.playing !== item.play || !this.element.isConnected) return;
+      if (calm() && now - last < 1000) { requestAnimationFrame(step); return; }         // reduced motion: pictures, one a second
       value = Math.min(value + (now - last) / 1000 * (control.max - control.min) / (item.seconds || 8), control.max);
       last = now;
       if (value >= control.max) this.playing = null;

@@ -23,7 +23,7 @@ export const LOOKS = {
   quiet: { width: 1, dash: [2, 3] },
 };
 
-const MARGIN = { left: 50, right: 12, top: 8, bottom: 34 };
+const MARGIN = { left: 50, right: 12, top: 8, bottom: 34 }, BARE = { left: 1, right: 6, top: 4, bottom: 4 };
 
 let colours = null;             // what the style sheet says for the theme of the page
 
@@ -101,7 +101,7 @@ export class Plot {
     if (!colours) readColours();
     if (this.width === undefined) this.measure();
     if (!(this.width > 0)) return;
-    const { ctx, spec } = this, { left, right, top, bottom } = MARGIN;
+    const { ctx, spec } = this, { left, right, top, bottom } = spec.bare ? BARE : MARGIN;
     const layers = drawing.layers.filter(Boolean);
     const x0 = left, x1 = this.width - right, y0 = this.height - bottom, y1 = top;
     let [xlim, ylim] = [drawing.xlim || limits(layers, "x", spec.xlog), drawing.ylim || limits(layers, "y", spec.ylog)];
@@ -112,7 +112,7 @@ export class Plot {
 
     ctx.setTransform(this.scale, 0, 0, this.scale, 0, 0);
     ctx.clearRect(0, 0, this.width, this.height);
-    this.axes(xlim, ylim, x0, x1, y0, y1);
+    if (!spec.bare) this.axes(xlim, ylim, x0, x1, y0, y1);
     ctx.save();
     ctx.beginPath();
     ctx.rect(x0 - 1, y1 - 4, x1 - x0 + 6, y0 - y1 + 5);
