@@ -747,7 +747,7 @@ def test_beetle_what_the_distance_cannot_show_and_the_bearing_can(site, opened):
 
 # --- chapter 6: the attitude filter, which is not the general one ---------------------------------------------------
 
-SAME_TEXT |= {f"{axis}{more}" for axis in ("roll", "pitch") for more in ("", " (°)", "z (°)", "true (°)")} | {"yawtrue (°)", "xtrue"}
+SAME_TEXT |= {f"{axis}{more}" for axis in ("roll", "pitch") for more in ("", " (°)", "z (°)", "true (°)")} | {"yawtrue (°)", "yawz (°)", "xtrue"}
 
 ATTITUDE = """text => {
   const { quadrotor } = KalmanExplorers.papers, { flights, questions } = JSON.parse(text), list = values => Array.from(values, value => value === value ? value : null);
