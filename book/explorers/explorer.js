@@ -142,7 +142,7 @@ class Explorer {
     this.equations.setAttribute("aria-label", t.say({ id: "Persamaan dengan angkanya", en: "Equations with their numbers" }));
     this.facts = make("table", { className: "explorer-facts", hidden: !view.facts });
     this.table = make("div", { className: "explorer-table", tabIndex: 0, role: "region" });
-    this.table.setAttribute("aria-label", this.say("numbers"));
+    this.table.setAttribute("aria-label", `${this.say("numbers")}: ${t.say(view.name)}`);
     this.details = make("details", { className: "explorer-numbers" }, make("summary", { textContent: this.say("numbers") }), this.table);
     this.details.addEventListener("toggle", () => this.fillNumbers());
     this.section = make("div", { className: "explorer", id, role: "region", "aria-label": t.say(view.name) },
@@ -153,7 +153,7 @@ class Explorer {
       ...(view.question ? [this.handCheck()] : []), this.details);
     this.element.append(this.section);
     this.element.classList.add("live");
-    for (const image of this.element.querySelectorAll("img")) image.loading = "eager";       // for print
+    for (const image of this.element.querySelectorAll("img")) image.loading = "eager";       // hidden, yet ready to be printed
     const again = () => { for (const plot of this.plots) plot.measure(); this.draw(); };
     this.resizes = new ResizeObserver(() => this.r && again());
     this.resizes.observe(this.section);

@@ -243,12 +243,11 @@ function outcome(r, s, t) {
 }
 
 function facts(r, s, t) {
-  const names = Object.keys(r.lines), row = (words, of) => [t.say(words), ...names.map(name => t.decimal(of(name) ?? NaN, 4))];
+  const against = r.truth ? { id: "Lambat dari nilai sebenarnya (sampel)", en: "Lag behind the truth (samples)" } : { id: "Lambat dari RTS (sampel)", en: "Lag behind RTS (samples)" };
   return {
-    head: ["", ...names.map(name => t.say(LINES[name]) + (name === "average" ? ` (${s.window})` : ""))],
-    rows: [row({ id: "Kekasaran (simpangan baku langkah)", en: "Roughness (standard deviation of the steps)" }, name => roughness(r.lines[name])),
-           row(r.truth ? { id: "Kelambatan terhadap nilai sebenarnya (sampel)", en: "Lag behind the truth (samples)" } : { id: "Kelambatan terhadap penghalus RTS (sampel)", en: "Lag behind the RTS smoother (samples)" }, name => r.lags[name]),
-           ...(r.truth ? [row("RMSE", name => rmse(r.truth, r.lines[name])[0])] : [])],
+    head: [t.say({ id: "Cara", en: "Method" }), t.say({ id: "Kasar: σ tiap langkah", en: "Rough: σ of the steps" }), t.say(against), ...(r.truth ? ["RMSE"] : [])],
+    rows: Object.entries(r.lines).map(([name, line]) => [t.say(LINES[name]) + (name === "average" ? ` (${s.window})` : ""),
+      ...[roughness(line), r.lags[name] ?? NaN, ...(r.truth ? [rmse(r.truth, line)[0]] : [])].map(value => t.decimal(value))]),
   };
 }
 
