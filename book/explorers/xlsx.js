@@ -1,6 +1,5 @@
 // Numbers out: the form of Rudiyanto, Setiawan and Saptomo (2006) as an .xlsx with live formulas, cell for cell the sheets
-// Filter and RTS that kalman_lib/spreadsheet.py writes (its charts and notes are left out). fflate packs the parts.
-import { strToU8, zipSync } from "fflate";
+// Filter and RTS that kalman_lib/spreadsheet.py writes (its charts and notes are left out).
 
 const FIRST = 7;                                        // the first row of both tables
 const NAME = "Filter Kalman, Makalah demi Makalah / The Kalman Filter, Paper by Paper";
@@ -79,5 +78,37 @@ export function writeWorkbook({ z, p, result, smooth, name }) {
     "xl/worksheets/sheet1.xml": sheet(rows, [7, 16, 17, 17, 16, 16, 16, 16]),
     "xl/worksheets/sheet2.xml": sheet(rts, [7, 16, 16, 20, 16, 16, 16]),
   };
-  return zipSync(Object.fromEntries(Object.entries(parts).map(([path, words]) => [path, strToU8(HEAD + words)])), { mtime: "2006-01-01" });
+  return zip(Object.entries(parts).map(([path, words]) => [path, HEAD + words]));
+}
+
+// --- the container: a ZIP archive whose files are stored as they are. A library that also compresses would take 4 of the
+// --- 60 kB that all explorers together may weigh.
+
+const CRC = Uint32Array.from({ length: 256 }, (_, n) => {
+  for (let k = 0; k < 8; k++) n = n & 1 ? 0xEDB88320 ^ n >>> 1 : n >>> 1;
+  return n;
+});
+
+/** The files [[path, text], ...] as the bytes of one archive. */
+export function zip(files) {
+  const encoder = new TextEncoder(), pieces = [], directory = [];
+  let offset = 0;
+  const numbers = (...pairs) => Uint8Array.from(pairs.flatMap(([value, bytes]) => Array.from({ length: bytes }, (_, k) => value >>> 8 * k & 255)));
+  for (const [path, text] of files) {
+    const name = encoder.encode(path), data = encoder.encode(text);
+    let crc = -1;
+    for (const byte of data) crc = CRC[(crc ^ byte) & 255] ^ crc >>> 8;
+    // version 2.0, names in UTF-8, stored, 2006-01-01 0:00, checksum, size twice, length of the name, nothing more
+    const about = [[20, 2], [0x800, 2], [0, 2], [0, 2], [26 << 9 | 1 << 5 | 1, 2], [~crc, 4], [data.length, 4], [data.length, 4], [name.length, 2], [0, 2]];
+    const local = [numbers([0x04034b50, 4], ...about), name, data];
+    directory.push(numbers([0x02014b50, 4], [20, 2], ...about, [0, 2], [0, 2], [0, 2], [0, 4], [offset, 4]), name);
+    for (const piece of local) offset += piece.length;
+    pieces.push(...local);
+  }
+  const length = directory.reduce((sum, piece) => sum + piece.length, 0);
+  pieces.push(...directory, numbers([0x06054b50, 4], [0, 4], [files.length, 2], [files.length, 2], [length, 4], [offset, 4], [0, 2]));
+  const archive = new Uint8Array(pieces.reduce((sum, piece) => sum + piece.length, 0));
+  let at = 0;
+  for (const piece of pieces) { archive.set(piece, at); at += piece.length; }
+  return archive;
 }
