@@ -170,9 +170,9 @@ def _result(s, x, gains):
     return result
 
 
-def predictions(s, x, first=0):
+def predictions(s, x, first=0, out=None):
     """x_pred = F x + B u of the steps from `first` on, all at once: x (T, n) or (T, n, runs) -> the same shape."""
-    x_pred = np.empty_like(x[first:])
+    x_pred = np.empty_like(x[first:]) if out is None else out
     if first == 0:
         x_pred[0] = s.F @ s.x0 if x.ndim == 2 else (s.F @ s.x0)[:, np.newaxis]
     _apply(s.F, x[max(first, 1) - 1:-1], out=x_pred[first == 0:])
@@ -183,6 +183,8 @@ def predictions(s, x, first=0):
 
 def _apply(A, x, out=None):
     """A x for every step: x (T, n) or (T, n, runs)."""
+    if A.size == 1:
+        return np.multiply(x, A[0, 0], out=out)
     return np.matmul(x, A.T, out=out) if x.ndim == 2 else np.matmul(A, x, out=out)
 
 
@@ -639,13 +641,11 @@ def _smooth_numbers(x, x_pred, G):
 
 def _smooth_settled(s, x, G):
     """Where G has settled, x_k + G (x_{k+1} - x_pred_{k+1}) is a scan that starts at the last step; then the others."""
-    k = len(G) - 1
-    d = predictions(s, x, first=k + 1)
-    d *= G[-1, 0, 0] if len(s.F) == 1 else 1
-    d = np.subtract(x[k:-1], d if len(s.F) == 1 else d @ G[-1].T)[::-1].copy()
-    scan(G[-1], d, x[-1])
-    smooth = np.empty_like(x)
-    smooth[k:-1], smooth[-1] = d[::-1], x[-1]
+    k, smooth = len(G) - 1, np.empty_like(x)
+    smooth[-1] = x[-1]
+    d = predictions(s, x, first=k + 1, out=smooth[k:-1])
+    d = np.subtract(x[k:-1], _apply(G[-1], d, out=d if d.shape[1] == 1 else None), out=d)
+    scan(G[-1], d[::-1], x[-1])                 # which leaves its answer in smooth
     x_pred = predictions(s._replace(drive=None if s.drive is None else s.drive[:k + 1]), x[:k + 1])
     for i in reversed(range(k)):
         smooth[i] = x[i] + G[i] @ (smooth[i + 1] - x_pred[i + 1])
