@@ -347,8 +347,8 @@ def _gain(s, P):
 def _close(s, P, before):
     """Are all changes of P that are still to come, together, below 1e-13 of P?
 
-    The changes shrink by rho^2 from step to step, rho being what a step leaves of an error: their sum is 1 / (1 - rho^2)
-    times the next one.
+    The changes shrink by rho^2 from step to step, rho being what a step leaves of an error: their sum is the next one
+    times 1 / (1 - rho^2).
     """
     P, before = np.array(P), np.array(before)
     sigma = np.sqrt(np.abs(np.diag(P)))
@@ -420,13 +420,13 @@ def scan(A, d, x):
 
 
 def in_blocks(s, parts):
-    """[(x (T, n), P (T, n, n)) of each part] where R changes in time or measurements are missing; None: not exact enough.
+    """Where R changes in time or measurements are missing: [(x (T, n), P (T, n, n)) of each part], or None: not exact.
 
     As in `scan` the blocks run side by side as soon as their starts are known. A first round finds these: it filters
     every block as if its start were known exactly (x = 0, P = 0), which ends at b with covariance C, and carries along
-    what the end owes to the start, x_end = A x_start + b, and what the measurements say about the start, an information
-    J with J x_start = g. Then, from block to block: the start, combined with what its own block says about it, gives the
-    end, which is the start of the next block.
+    what the end owes to the start, x_end = A x_start + b, and what the measurements say about the start, an
+    information J with J x_start = g. Then, from block to block: the start, combined with what its own block says about
+    it, gives the end, which is the start of the next block.
     """
     parts = [part for _, part in parts]
     if len({part.F.shape for part in parts}) > 1 or {len(part.H) for part in parts} != {1}:
@@ -512,7 +512,8 @@ def in_blocks(s, parts):
 def _filter_runs(model, z, u):
     """z (T, m, runs) of a linear model: the gains once, then every step for all runs at once.
 
-    x = x_pred + K (z - H x_pred) with x_pred = F x + B u is, sorted by what changes, (I - K H) F x + K z + (I - K H) B u.
+    x = x_pred + K (z - H x_pred) with x_pred = F x + B u is, sorted by what changes,
+    (I - K H) F x + K z + (I - K H) B u.
     """
     T, m, runs = z.shape
     alone = kalman_filter(model, np.zeros((T, m)))

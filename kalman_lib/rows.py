@@ -3,7 +3,8 @@
 An entry is a plain number (one series, in Python floats) or an array (many series side by side, one number each), and
 the same lines serve both: x[0] + K[0] * y means either. That is fast where NumPy is not. A product of 2 x 2 matrices
 costs NumPy a microsecond, these few multiplications a tenth of it; with 1,000 series side by side every multiplication
-is one call for all of them. F and H are kept sparse, so that their zeros and ones, which most models have, cost nothing.
+is one call for all of them. F and H are kept sparse, so that their zeros and ones, which most models have, cost
+nothing.
 """
 import numpy as np
 
@@ -57,8 +58,8 @@ def update(P, H, R, seen=None):
         K = [K_i * seen for K_i in K]
     if len(H) != 1:
         return joseph(P, H, R, K), K, S
-    # The sensor sees one state s only. The column s of P, times H_s, is P H' = P_pred H' R / S = K R: that needs no small
-    # difference of large numbers, however small R is. The other entries are those of P_pred - K H P_pred.
+    # The sensor sees one state s only. The column s of P, times H_s, is P H' = P_pred H' R / S = K R: that needs no
+    # small difference of large numbers, however small R is. The other entries are those of P_pred - K H P_pred.
     s, H_s = H[0]
 
     def entry(i, j):
