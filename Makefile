@@ -26,6 +26,7 @@ serve: book ## show the built book at http://localhost:8000 (another port: make 
 
 bench: $(VENV)/.npm ## time filters, widgets and explorers; peers: pip install -r tests/bench-requirements.txt
 	$(PY) tests/bench_filters.py
+	$(PY) tests/bench_widgets.py
 	$(PY) tests/bench_explorers.py
 
 outputs: $(VENV)/.installed ## run the notebooks and store their outputs

@@ -4,16 +4,19 @@
                   ->  _build/site/<language>   (the same pages without what no reader needs, plus a workbook and a .zip)
                       _build/site/index.html   (leads to the reader's language)
 
+The notebooks are executed side by side, then both languages are built side by side.
 Does nothing when nothing changed since the last build. Open _build/site/index.html, no server needed.
 """
 import hashlib
 import json
+import multiprocessing
 import os
 import shutil
 import subprocess
 import sys
 import time
 import zipfile
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -26,9 +29,15 @@ NOT_FOR_READERS = ("*.map", "*.ttf", "*.LICENSE.txt", "*webpack-macros.html", "f
 
 sys.path.insert(0, str(ROOT / "book" / "_ext"))
 try:
+    import nbformat
     import yaml
     import jupyter_book  # noqa: F401  (these two only to see that they are there)
     import kalman_lib  # noqa: F401
+    from jupyter_cache import get_cache
+    from jupyter_cache.base import CacheBundleIn
+    from jupyter_cache.executors.utils import single_nb_execution
+    import cover
+    import explorers
     import languages
     import offline
 except ImportError as error:
@@ -69,16 +78,63 @@ def write_config(language, folder):
     return path
 
 
+def code_of(path):
+    """The notebook as book/_ext/figures.py leaves it, which is what the cache compares: without the words of its figures."""
+    notebook = nbformat.read(path, as_version=4)
+    for cell in notebook.cells:
+        cell.metadata.pop("book", None)
+    return notebook
+
+
+def execute(path):
+    """Run one notebook -> (the notebook with its outputs, seconds, None), or (None, 0, what went wrong)."""
+    notebook = code_of(path)
+    result = single_nb_execution(notebook, cwd=str(path.parent), timeout=300, allow_errors=False)
+    return (notebook, result.time, None) if result.err is None else (None, 0, result.exc_string)
+
+
+def execute_notebooks():
+    """Fill the cache with the notebooks that it does not hold yet, as many at once as there are processors."""
+    cache = get_cache(str(CACHE))
+
+    def is_cached(path):
+        try:
+            return bool(cache.match_cache_notebook(code_of(path)))
+        except KeyError:
+            return False
+
+    missing = [path for path in sorted((ROOT / "notebooks").glob("*.ipynb")) if not is_cached(path)]
+    missing.sort(key=lambda path: -path.stat().st_size)         # the long ones first
+    with ProcessPoolExecutor(max_workers=os.cpu_count(), mp_context=multiprocessing.get_context("spawn")) as pool:
+        for path, (notebook, seconds, error) in zip(missing, pool.map(execute, missing)):
+            if error:
+                sys.exit(f"{error}\n{path.name} stopped at this cell.")
+            cache.cache_notebook_bundle(CacheBundleIn(notebook, str(path), data={"execution_seconds": seconds}),
+                                        check_validity=False, overwrite=True)
+            print(f"Ran {path.name} in {seconds:.0f} s", flush=True)
+
+
 def build_language(language):
     """Run Jupyter Book; any warning is an error."""
     folder = BUILD / "work" / language
     command = [sys.executable, "-c", "from jupyter_book.cli.main import main; main()", "build", str(ROOT), "--config", str(write_config(language, folder)),
                "--toc", str(ROOT / "_toc.yml"), "--path-output", str(folder), "--all", "-n", "-W", "--keep-going"]
-    print(f"\n=== {languages.LANGUAGES[language]} ===", flush=True)
     shutil.rmtree(folder / "_build" / "html", ignore_errors=True)  # no picture of an older build stays behind
-    if subprocess.run(command, cwd=ROOT, env={**os.environ, "PYTHONUTF8": "1"}).returncode != 0:
+    built = subprocess.run(command, cwd=ROOT, env={**os.environ, "PYTHONUTF8": "1"}, stdout=subprocess.PIPE,
+                           stderr=subprocess.STDOUT, encoding="utf-8")
+    print(f"\n=== {languages.LANGUAGES[language]} ===\n{built.stdout}", flush=True)
+    if built.returncode != 0:
         sys.exit(f"The {languages.LANGUAGES[language]} book was not built: the message is above (warnings count as errors).")
     return folder / "_build" / "html"
+
+
+def build_languages():
+    """Both languages side by side -> {language: folder of its pages}. What both need is made before."""
+    offline.copy_vendor()
+    explorers.bundle()
+    cover.draw()
+    with ThreadPoolExecutor() as pool:
+        return dict(zip(languages.LANGUAGES, pool.map(build_language, languages.LANGUAGES)))
 
 
 def write_zip(language, path):
@@ -138,7 +194,8 @@ def main():
             shutil.rmtree(CACHE, ignore_errors=True)
             CACHE.mkdir(parents=True)
             code_mark.write_text(code)
-        assemble({language: build_language(language) for language in languages.LANGUAGES}, everything)
+        execute_notebooks()
+        assemble(build_languages(), everything)
         site_mark.write_text(everything)
         print(f"\nBuilt in {time.monotonic() - started:.0f} s.")
     print(f"Open {SITE / 'index.html'}")

@@ -1265,7 +1265,7 @@ class Quadrotor(Board):
 
     def __init__(self, p=None):
         super().__init__()
-        self.p, self.seed = p or quadrotor_paper.Params(dt=0.05), SEED        # fewer samples: a quicker answer
+        self.p, self.seed = p or quadrotor_paper.Params(dt=0.1), SEED        # fewer samples: a quicker answer
         meta = describe(quadrotor_paper.Params)
         self.words = {**self.words, **{name: {language: f"{meta[name][language]} ({meta[name]['unit']})".replace(" ()", "")
                                               for language in ("id", "en")} for name in self.SLIDERS}}

@@ -469,7 +469,7 @@ def test_accessibility(site, opened):
               document.querySelectorAll('.katex').forEach(e => { e.textContent = 'x'; });      // thousands of parts: slow
             }""")
             page.evaluate(axe)
-            for theme in ("light", "dark"):
+            for theme in ("light", "dark") if language == "id" else ("light",):        # only the words differ
                 page.evaluate("theme => { document.documentElement.dataset.theme = theme }", theme)
                 found = page.evaluate("axe.run('kalman-explorer').then(r => r.violations.map(v => [v.id, v.nodes.map(n => n.target.join(' ')).slice(0, 4)]))")
                 assert found == [], (path, theme)

@@ -161,12 +161,11 @@ def test_many_cells_at_once_are_the_single_ones(flight):
 def test_the_settled_gain_is_that_of_a_complementary_filter():
     """In a long rest the angle forgets with the time constant sqrt(R / (7/3 q dt)), as R >> q dt^3."""
     q, dt, R = 30 * DEG ** 2, 0.02, (3 * DEG) ** 2
-    P = (R, 0.0, 0.0)
-    for _ in range(5000):
-        P00, P01, P11 = quadrotor._predict_P(P, dt, METHODS["paper"])
-        K = P00 / (P00 + R), P01 / (P00 + R)
-        P = K[0] * R, K[1] * R, P11 - K[1] * P01
-    assert np.isclose(dt / K[0], np.sqrt(R / (7 / 3 * q * dt)), rtol=0.01)
+    t = dt * np.arange(5000)
+    level = np.tile([0, 0, -GRAVITY], (len(t), 1))
+    still = quadrotor.attitude(t, 0 * level, level, None, 1, METHODS["paper"])
+    K = still.P[-1, 0] / still.R[-1, 0]
+    assert np.isclose(dt / K, np.sqrt(R / (7 / 3 * q * dt)), rtol=0.01)
 
 
 def test_euler_rates_keep_a_fast_slanted_turn_where_body_rates_lose_it():

@@ -1,12 +1,12 @@
 """Draws the picture of the cover from a real run of the filter, so that it is computed, not painted."""
-from pathlib import Path
-
 import numpy as np
 
-FILE = Path(__file__).resolve().parent.parent / "_static" / "vendor" / "cover.png"
+import offline
+
+FILE = offline.VENDOR / "cover.png"
 
 
-def draw(app):
+def draw(app=None):
     """A synthetic wave, measured with noise and tracked by a filter that knows position and velocity only."""
     from kalman_lib import LinearModel, kalman_filter, plots
 
@@ -20,8 +20,7 @@ def draw(app):
     moments = [(k, (result.x_pred[k, 0], result.P_pred[k, 0, 0]), (z[k], 1), (result.x[k, 0], result.P[k, 0, 0]))
                for k in (1, 21, 48)]
     figure = plots.cover(t, z, result.x[:, 0], np.sqrt(result.P[:, 0, 0]), truth, moments)
-    FILE.parent.mkdir(parents=True, exist_ok=True)
-    FILE.write_bytes(figure.png())
+    offline.write_if_new(FILE, figure.png())
 
 
 def setup(app):

@@ -35,7 +35,6 @@ def entry(sources):
 
 def bundle(target=TARGET, sources=SOURCES):
     """Write explorers.js and explorers.css into the folder target."""
-    target.mkdir(parents=True, exist_ok=True)
     program = offline.NODE_MODULES / "esbuild" / "bin" / "esbuild"
     script = program.read_bytes()[:2] == b"#!"        # npm may have put the program itself in the place of its starter
     run = [str(offline.node_binary()), str(program)] if script else [str(program)]
@@ -48,8 +47,7 @@ def bundle(target=TARGET, sources=SOURCES):
                               env={**os.environ, "NODE_PATH": str(offline.NODE_MODULES)})
         if made.returncode != 0 or made.stderr:
             sys.exit(f"book/explorers could not be bundled ({name}):\n{made.stderr}")
-        if not (target / name).exists() or (target / name).read_text(encoding="utf-8") != made.stdout:
-            (target / name).write_text(made.stdout, encoding="utf-8")
+        offline.write_if_new(target / name, made.stdout.encode())
 
 
 def load(app, pagename, templatename, context, doctree):

@@ -52,6 +52,13 @@ def copy_if_new(source, target):
         shutil.copyfile(source, target)
 
 
+def write_if_new(path, content):
+    """Write the bytes unless the file holds them: the builds of both languages run side by side."""
+    if not path.exists() or path.read_bytes() != content:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+
+
 def copy_vendor():
     """Put fonts and the style sheet of KaTeX (with its woff2 fonts only) where the pages find them."""
     for font in FONTS:
@@ -61,7 +68,7 @@ def copy_vendor():
         copy_if_new(font, VENDOR / "katex" / "fonts" / font.name)
     css = (katex / "katex.min.css").read_text(encoding="utf-8")
     css = re.sub(r',url\([^)]*\.(woff|ttf)\) format\("\w+"\)', "", css)
-    (VENDOR / "katex" / "katex.min.css").write_text(css.replace("font-display:block", "font-display:swap"), encoding="utf-8")
+    write_if_new(VENDOR / "katex" / "katex.min.css", css.replace("font-display:block", "font-display:swap").encode())
 
 
 def checked(visit):

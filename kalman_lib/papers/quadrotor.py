@@ -118,9 +118,11 @@ def euler_rates(gyr, roll, pitch, lib=np):
     At pitch +-90 deg they have no bound; beyond 85 deg they are those at 85, wrong but finite.
     """
     p, q, r = gyr
-    pitch = max(-STEEPEST, min(STEEPEST, pitch)) if lib is math else np.clip(pitch, -STEEPEST, STEEPEST)
-    turn = q * lib.sin(roll) + r * lib.cos(roll)
-    return p + turn * lib.tan(pitch), q * lib.cos(roll) - r * lib.sin(roll), turn / lib.cos(pitch)
+    if lib is np or not -STEEPEST < pitch < STEEPEST:
+        pitch = np.clip(pitch, -STEEPEST, STEEPEST)
+    sin, cos = lib.sin(roll), lib.cos(roll)
+    turn = q * sin + r * cos
+    return p + turn * lib.tan(pitch), q * cos - r * sin, turn / lib.cos(pitch)
 
 
 # --- the filter --------------------------------------------------------------------------------------------------------
@@ -215,36 +217,40 @@ def attitude(t, gyr, acc, mag, rest_s, how):
     turn = (gyr[1:] + gyr[:-1]) / 2 - at_rest               # the rate in the middle of a step
     P_s = gyr[rest].var(axis=0).mean() / rest_s if how.kept else 0.0    # of at_rest: one independent value a second
     cells = np.broadcast_shapes(np.shape(how.q), np.shape(how.m))
-    wrapping = "wrapping" not in how.without
+    wrapping, own_tilt, keep = "wrapping" not in how.without, "estimated tilt" not in how.without, float(how.kept)
     lib = np if cells else math                             # one array of all cells, or plain numbers
+    rates = _rates(how, lib)
     dt, turn, z, mag, R = np.diff(t).tolist(), turn.tolist(), z.tolist(), mag.tolist(), R.tolist() if lib is math else R
     recent = [deque(maxlen=max(1, round(0.5 / np.median(dt)))) for _ in AXES]       # y^2 of the last 0.5 s
     s, P = [0.0] * 3, [(R[0][i], 0.0, P_s) for i in range(3)]
     rows = [(x, z[0], (0.0,) * 3, s, (0.0,) * 3, R[0], R[0])]
     for k in range(1, len(t)):
-        u = _rates(turn[k - 1], x, s, dt[k - 1], how, lib)
-        x = [x[i] + dt[k - 1] * (u[i] - s[i]) for i in range(3)]
+        h, z_k, R_k, y, P_k = dt[k - 1], list(z[k]), list(R[k]), [math.nan] * 3, [0.0] * 3
+        u = rates(turn[k - 1], x, s, h)
+        Q00, Q01, Q11 = process_noise(how, h)
+        x = [x[0] + h * (u[0] - s[0]), x[1] + h * (u[1] - s[1]), x[2] + h * (u[2] - s[2])]
         s = list(s) if how.kept else [0.0] * 3
-        P = [_predict_P(P[i], dt[k - 1], how) for i in range(3)]
-        measured, R_k, y = z[k], list(R[k]), [math.nan] * 3
-        if "estimated tilt" not in how.without:             # turn the magnetometer back by the estimated tilt
-            measured = [*measured[:2], _heading(*mag[k], x[0], x[1], lib)]
+        if own_tilt and z_k[2] == z_k[2]:                   # turn the magnetometer back by the estimated tilt
+            z_k[2] = _heading(*mag[k], x[0], x[1], lib)
         for i in range(3):
-            if z[k][i] != z[k][i]:                # NaN: the sensor is silent
-                continue
-            y[i] = wrap(measured[i] - x[i]) if wrapping else measured[i] - x[i]
-            P00, P01, P11 = P[i]
-            if how.kept and i < 2:
-                recent[i].append(y[i] ** 2)
-                excess = sum(recent[i]) / len(recent[i]) - P00
-                R_k[i] = how.gain * min(max(excess, R_k[i]), how.largest * R_k[i])
-            S = P00 + R_k[i]
-            K = P00 / S, P01 / S
-            x[i], s[i] = x[i] + K[0] * y[i], s[i] + K[1] * y[i]
-            P[i] = K[0] * R_k[i], K[1] * R_k[i], P11 - K[1] * P01
+            P00, P01, P11 = P[i]                            # P_pred = F P F' + Q
+            P00, P01 = P00 - 2 * h * P01 + h * h * P11 + Q00, keep * (P01 - h * P11) + Q01
+            P11 = keep * P11 + Q11
+            if z[k][i] == z[k][i]:                          # else NaN: the sensor is silent
+                y_i = y[i] = wrap(z_k[i] - x[i]) if wrapping else z_k[i] - x[i]
+                if how.kept and i < 2:
+                    recent[i].append(y_i * y_i)
+                    excess = sum(recent[i]) / len(recent[i]) - P00
+                    R_k[i] = how.gain * min(max(excess, R_k[i]), how.largest * R_k[i])
+                S = P00 + R_k[i]
+                K0, K1 = P00 / S, P01 / S
+                x[i] += K0 * y_i
+                s[i] += K1 * y_i
+                P00, P01, P11 = K0 * R_k[i], K1 * R_k[i], P11 - K1 * P01
+            P[i], P_k[i] = (P00, P01, P11), P00
         if wrapping:
-            x = [wrap(x[0]), x[1], wrap(x[2])]
-        rows.append((x, measured, u, s, y, [P_i[0] for P_i in P], R_k))
+            x[0], x[2] = wrap(x[0]), wrap(x[2])
+        rows.append((x, z_k, u, s, y, P_k, R_k))
     result = Attitude(*(np.array([[np.broadcast_to(value, cells) for value in row] for row in column] if cells else column)
                         for column in zip(*rows)))
     steepest = np.degrees(np.abs(result.angles[:, 1]).max())
@@ -255,23 +261,25 @@ def attitude(t, gyr, acc, mag, rest_s, how):
     return result
 
 
-def _predict_P(P, dt, how):
-    """F P F' + Q of one axis, F = [[1, -dt], [0, 1 or 0]], P = (P00, P01, P11)."""
-    P00, P01, P11 = P
-    P00, P01 = P00 - 2 * dt * P01 + dt ** 2 * P11, P01 - dt * P11
+def process_noise(how, dt):
+    """Q00, Q01 and Q11 of one step: the paper's equation (18), or the noises of angle and bias."""
     if how.kept:
-        return P00 + how.q * dt, P01, P11 + how.q_bias * dt
-    return P00 + how.q * dt ** 3 / 3, -how.q * dt ** 2 / 2, how.q * dt
+        return how.q * dt, 0.0, how.q_bias * dt
+    return how.q * dt ** 3 / 3, -how.q * dt ** 2 / 2, how.q * dt
 
 
-def _rates(turn, x, s, dt, how, lib):
-    """Rates of the three angles during a step, from the body's rates: taken at the angles in the middle of the step."""
+def _rates(how, lib):
+    """The function (turn, x, s, dt) -> rates of the three angles during a step, taken at the angles in its middle."""
+    def at_start(turn, x, s, dt):
+        return euler_rates(turn, x[0], x[1], lib)
+
+    def in_the_middle(turn, x, s, dt):
+        u = euler_rates(turn, x[0], x[1], lib)
+        return euler_rates(turn, x[0] + dt / 2 * (u[0] - s[0]), x[1] + dt / 2 * (u[1] - s[1]), lib)
+
     if "Euler rates" in how.without:
-        return turn
-    u = euler_rates(turn, x[0], x[1], lib)
-    if "midpoint" in how.without:
-        return u
-    return euler_rates(turn, x[0] + dt / 2 * (u[0] - s[0]), x[1] + dt / 2 * (u[1] - s[1]), lib)
+        return lambda turn, x, s, dt: turn
+    return at_start if "midpoint" in how.without else in_the_middle
 
 
 def _measured(acc, mag, rest, how):
