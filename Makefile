@@ -30,7 +30,7 @@ bench: $(VENV)/.npm ## time filters, widgets and explorers; peers: pip install -
 	$(PY) tests/bench_explorers.py
 
 outputs: $(VENV)/.installed ## run the notebooks and store their outputs
-	$(PY) -m nbconvert --to notebook --execute --inplace --ExecutePreprocessor.store_widget_state=False notebooks/*.ipynb
+	$(PY) book/store_outputs.py
 
 lock: $(VENV)/.installed ## write requirements.lock again from requirements.txt
 	$(VENV)/bin/uv pip compile --universal --python-version 3.11 --no-annotate --no-header -q requirements.txt -o requirements.lock

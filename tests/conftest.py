@@ -1,9 +1,12 @@
 """What several test files share: outside programs, the built site, a real browser."""
+import functools
+import http.server
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 from pathlib import Path
 
 import pytest
@@ -43,3 +46,20 @@ def site():
         reasons = [line for line in (result.stdout + result.stderr).splitlines() if "WARNING" in line or "Error" in line]
         pytest.fail("the book does not build (python book/build.py):\n" + "\n".join(reasons[:10]), pytrace=False)
     return ROOT / "_build" / "site"
+
+
+@pytest.fixture(scope="session")
+def server(site):
+    """The address of the site over http, as any static server gives it."""
+    class Quiet(http.server.SimpleHTTPRequestHandler):
+        def log_message(self, *args):
+            pass
+
+    class Server(http.server.ThreadingHTTPServer):
+        def handle_error(self, request, address):       # a page was closed before it had everything
+            pass
+
+    with Server(("127.0.0.1", 0), functools.partial(Quiet, directory=str(site))) as httpd:
+        threading.Thread(target=httpd.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{httpd.server_port}"
+        httpd.shutdown()

@@ -5,7 +5,6 @@ Papers are found in kalman_lib.papers, explorers in the built pages; none is lis
 import dataclasses
 import functools
 import gzip
-import http.server
 import importlib
 import inspect
 import itertools
@@ -15,7 +14,6 @@ import pkgutil
 import re
 import shutil
 import sys
-import threading
 
 import numpy as np
 import pytest
@@ -57,17 +55,6 @@ RUN = """text => {
 
 
 # --- the pages ------------------------------------------------------------------------------------------------------
-
-@pytest.fixture(scope="module")
-def server(site):
-    class Quiet(http.server.SimpleHTTPRequestHandler):
-        def log_message(self, *args):
-            pass
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(site))) as httpd:
-        threading.Thread(target=httpd.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{httpd.server_port}"
-        httpd.shutdown()
-
 
 def pages_with_explorers(site, language):
     return [path for path in sorted((site / language).rglob("*.html")) if "<kalman-explorer" in path.read_text(encoding="utf-8")]

@@ -3,12 +3,9 @@
 Pages are found in _build/site, none is listed here. One walk over all of them (the fixture `walk`) collects what most tests
 then look at.
 """
-import functools
 import html.parser
-import http.server
 import json
 import re
-import threading
 import urllib.parse
 import zipfile
 from pathlib import Path
@@ -64,18 +61,6 @@ def pages_of(site):
 
 def is_redirect(path):
     return "http-equiv=\"refresh\"" in path.read_text(encoding="utf-8") or "location.replace" in path.read_text(encoding="utf-8")
-
-
-@pytest.fixture(scope="module")
-def server(site):
-    """The site over http, as any static server gives it."""
-    class Quiet(http.server.SimpleHTTPRequestHandler):
-        def log_message(self, *args):
-            pass
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(site))) as httpd:
-        threading.Thread(target=httpd.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{httpd.server_port}"
-        httpd.shutdown()
 
 
 @pytest.fixture(scope="module")
