@@ -3,8 +3,16 @@ from .fast import kalman_filter, rts_smooth, smooth_runs
 from .filters import FilterResult, SmootherResult, predict, update
 from .metrics import chi2_bounds, nees, nis, rmse
 from .models import LinearModel, NonlinearModel, subtract
-from .montecarlo import mismatch_map, monte_carlo
 from .simulate import Trajectory
 
 __all__ = ["FilterResult", "LinearModel", "NonlinearModel", "SmootherResult", "Trajectory", "chi2_bounds",
-           "kalman_filter", "mismatch_map", "monte_carlo", "nees", "nis", "predict", "rmse", "rts_smooth", "smooth_runs", "subtract", "update"]
+           "kalman_filter", "mismatch_map", "monte_carlo", "nees", "nis", "predict", "rmse", "rts_smooth", "smooth_runs",
+           "subtract", "update"]
+
+
+def __getattr__(name):
+    """monte_carlo and mismatch_map are imported when they are first used."""
+    if name in ("mismatch_map", "monte_carlo"):
+        from . import montecarlo
+        return getattr(montecarlo, name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
