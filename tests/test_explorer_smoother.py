@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import test_spreadsheet
 from openpyxl import load_workbook
-from test_explorers import bundle, opened, picture, server, shown  # noqa: F401  (fixtures)
+from test_explorers import bundle, opened, picture, shown  # noqa: F401  (fixtures)
 
 from kalman_lib import LinearModel, kalman_filter, rts_smooth
 from kalman_lib.papers import smoother

@@ -364,7 +364,11 @@ def test_print_and_no_script_show_the_picture(site, server, chromium, opened):
 PICTURE = """
   const picture = e => [...e.querySelectorAll('canvas')].map(canvas => canvas.width && canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data
     .reduce((sum, value, i) => (sum * 31 + value * (i & 3)) | 0, 7)).join() + e.querySelector('.explorer-outcome').textContent + e.querySelector('.explorer-equations').textContent;
-  const drawn = () => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 5))));"""
+  const drawn = async () => {
+    await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 5))));
+    e.explorer.worded = -100;                   // the words follow at most ten times a second: now
+    e.explorer.words();
+  };"""
 
 
 def picture(element):

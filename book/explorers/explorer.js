@@ -103,7 +103,7 @@ const calm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 class Explorer {
   constructor(element, key, table, view) {
     const language = document.documentElement.lang === "id" ? "id" : "en";
-    Object.assign(this, { element, key, table, view, t: speaker(language), memo: {}, tween: {}, touched: false });
+    Object.assign(this, { element, key, table, view, t: speaker(language), memo: {}, tween: {}, touched: false, worded: -100, unsaid: 0 });
     this.id = `explorer-${key.replace(".", "-")}-${Explorer.count = (Explorer.count || 0) + 1}`;
     this.controls = view.controls.map(control => ({ ...table[control.name], unit: table[control.name]?.unit || "", ...control }));
     this.defaults = { seed: SEED };
@@ -330,9 +330,7 @@ class Explorer {
     this.refine(start + 5);
     this.showControls();
     this.draw();
-    if (this.view.outcome) setText(this.outcome, this.view.outcome(this.r, this.shown, this.t));
-    if (this.view.equations) fillEquations(this.equations, this.view.equations(this.r, this.shown, this.t));
-    if (this.view.facts) fillTable(this.facts, this.view.facts(this.r, this.shown, this.t));
+    this.words();
     this.element.dispatchEvent(new CustomEvent("explorer-drawn", { detail: performance.now() - start }));
     this.continue();
     clearTimeout(this.pause);
@@ -351,10 +349,19 @@ class Explorer {
       if (this.frame) return;           // the reader is faster: render() starts anew
       this.refine(performance.now() + 8);
       this.draw();
-      if (this.view.outcome) setText(this.outcome, this.view.outcome(this.r, this.shown, this.t));
-      if (this.view.facts) fillTable(this.facts, this.view.facts(this.r, this.shown, this.t));
+      this.words();
       this.continue();
     });
+  }
+
+  /** Sentence, equations and facts: ten times a second is as fast as anybody reads, and the page is laid out anew each time. */
+  words() {
+    const wait = this.worded + 100 - performance.now();
+    if (wait > 0) { this.unsaid ||= setTimeout(() => { this.unsaid = 0; this.words(); }, wait); return; }
+    this.worded = performance.now();
+    if (this.view.outcome) setText(this.outcome, this.view.outcome(this.r, this.shown, this.t));
+    if (this.view.equations) fillEquations(this.equations, this.view.equations(this.r, this.shown, this.t));
+    if (this.view.facts) fillTable(this.facts, this.view.facts(this.r, this.shown, this.t));
   }
 
   showControls() {
