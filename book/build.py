@@ -95,6 +95,7 @@ def execute(path):
 
 def execute_notebooks():
     """Fill the cache with the notebooks that it does not hold yet, as many at once as there are processors."""
+    os.environ.setdefault("TQDM_DISABLE", "1")                  # no progress bars in the pages
     cache = get_cache(str(CACHE))
 
     def is_cached(path):

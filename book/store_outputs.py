@@ -3,6 +3,7 @@
 The stored outputs are what `make test` compares with and what readers download. Live widgets leave their static picture
 only: their view is of no use without the kernel that made it.
 """
+import os
 import sys
 from pathlib import Path
 
@@ -27,6 +28,7 @@ def store(path):
 
 
 if __name__ == "__main__":
+    os.environ["TQDM_DISABLE"] = "1"        # a progress bar is no output to keep
     for path in map(Path, sys.argv[1:] or sorted((ROOT / "notebooks").glob("*.ipynb"))):
         print(f"Running {path.name} ...", flush=True)
         store(path.resolve())

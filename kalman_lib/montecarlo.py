@@ -6,6 +6,7 @@ cluster, in whatever order the blocks come back, and also if a worker dies and i
 """
 import importlib
 import inspect
+import os
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
@@ -221,12 +222,12 @@ def _hand_out(tasks, executor, done, bar, last):
 
 
 def _progress(total, initial):
-    """A progress bar for what takes longer than a second; none without tqdm."""
+    """A progress bar for what takes longer than a second; none without tqdm, or where TQDM_DISABLE is set."""
     try:
         from tqdm.auto import tqdm
     except ImportError:
         return _Silent()
-    return tqdm(total=total, initial=initial, delay=1, leave=False)
+    return tqdm(total=total, initial=initial, delay=1, leave=False, disable=bool(os.environ.get("TQDM_DISABLE")))
 
 
 class _Silent:
