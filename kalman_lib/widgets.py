@@ -72,6 +72,12 @@ def ship(p=None):
     show(board.view, "ship", board.figure())
 
 
+def quadrotor(p=None):
+    """Chapter 6: the attitude filter on a synthetic flight or on the reader's own recording. p a quadrotor.Params."""
+    board = Quadrotor(p)
+    show(board.view, "quadrotor", board.picture())
+
+
 def show(widget, paper, figure, view=None):
     """Display one output that is live in Jupyter and, in the built book, the figure inside <kalman-explorer>.
 
@@ -131,6 +137,10 @@ class Board:
         self.places.append(write)
         write()
         return part
+
+    def under(self, key, part):
+        """The part below the word `key`."""
+        return widgets.VBox([self.label(widgets.Label(), key, "value"), part])
 
     def choices(self, part, keys):
         """Offer the words `keys` as the options of a dropdown, each standing for its own key. Returns the part."""
@@ -534,15 +544,12 @@ class SmootherForm(OwnData):
         self.table.layout = widgets.Layout(flex="0 0 270px")
         self.plot = Screen()
 
-        def under(key, part):
-            return widgets.VBox([self.label(widgets.Label(), key, "value"), part])
-
         self.view = widgets.VBox([
             self.language,
             _row(self.source, self.column, self.sign, self.upload), self.text,
             self.note, self.message,
-            _row(row_Q, row_R, row_x0, row_P0, under("window", self.window)),
-            _row(under("steady", widgets.HBox([self.steady, self.take_R])), self.likelihood),
+            _row(row_Q, row_R, row_x0, row_P0, self.under("window", self.window)),
+            _row(self.under("steady", widgets.HBox([self.steady, self.take_R])), self.likelihood),
             widgets.HBox([self.table, widgets.VBox([self.plot, self.measures], layout=widgets.Layout(flex="1 1 380px"))],
                          layout=widgets.Layout(flex_flow="row wrap", align_items="flex-start", grid_gap="8px")),
             _row(self.csv, self.xlsx, self.link),
@@ -952,13 +959,10 @@ class Beetle(Board):
         self.sentence = widgets.HTML(layout=widgets.Layout(width="98%", min_height="6em"))
         self.plot, self.spread = Screen(), Screen()
 
-        def under(key, part):
-            return widgets.VBox([self.label(widgets.Label(), key, "value"), part])
-
         self.view = widgets.VBox([
             self.language,
-            _row(under("printed", self.printed), row_R),
-            _row(*(under(name, slider) for name, slider in self.sliders.items())),
+            _row(self.under("printed", self.printed), row_R),
+            _row(*(self.under(name, slider) for name, slider in self.sliders.items())),
             _row(self.noise, self.restart),
             self.message, self.sentence,
             _row(*(widgets.VBox([self.label(widgets.HTML(), key, "value"), screen],
@@ -1046,12 +1050,6 @@ class Beetle(Board):
 
 
 # --- chapter 4: the towing run ---------------------------------------------------------------------------------------
-
-def ship(p=None):
-    """Chapter 4: the source's AR(2) filter on a towing run or on the reader's own file. p is a ship.Params or None."""
-    board = ShipRun(p)
-    show(board.view, "ship", board.figure())
-
 
 class ShipRun(OwnData):
     """Fit AR(2), filter, look: the synthetic towing run with any noise, or a reader's two columns time and speed."""
@@ -1215,12 +1213,6 @@ class ShipRun(OwnData):
 
 # --- chapter 6 -------------------------------------------------------------------------------------------------------
 
-def quadrotor(p=None):
-    """Chapter 6: the attitude filter on a synthetic flight or on the reader's own recording. p a quadrotor.Params."""
-    board = Quadrotor(p)
-    show(board.view, "quadrotor", board.picture())
-
-
 class Quadrotor(Board):
     """The three methods on a synthetic flight or on a phone's recording: angles, errors, and the craft at any moment."""
     SENSORS = {"gyr": {"id": "giroskop", "en": "gyroscope"}, "acc": {"id": "akselerometer", "en": "accelerometer"},
@@ -1287,18 +1279,15 @@ class Quadrotor(Board):
         self.note, self.sentence = (widgets.HTML(layout=widgets.Layout(width="98%")) for _ in range(2))
         self.plots, self.craft = [Screen() for _ in quadrotor_paper.AXES], Screen()
 
-        def under(key, part):
-            return widgets.VBox([self.label(widgets.Label(), key, "value"), part])
-
         self.view = widgets.VBox([
             self.language,
             _row(self.source, self.upload, self.method, self.noise, self.restart),
-            _row(row_m, row_q, under("window", self.window), under("threshold", self.threshold)),
+            _row(row_m, row_q, self.under("window", self.window), self.under("threshold", self.threshold)),
             _row(self.label(widgets.Label(), "sensors", "value"), *self.sensors.values()),
             self.note, self.message, self.sentence,
             _row(widgets.VBox([self.label(widgets.HTML(), "angles", "value"), *self.plots],
                               layout=widgets.Layout(flex="1 1 320px")),
-                 widgets.VBox([self.label(widgets.HTML(), "craft", "value"), self.craft, under("moment", self.moment)],
+                 widgets.VBox([self.label(widgets.HTML(), "craft", "value"), self.craft, self.under("moment", self.moment)],
                               layout=widgets.Layout(flex="1 1 320px"))),
         ], layout=widgets.Layout(width="98%"))
         self.on(self.source, self.load)
