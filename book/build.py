@@ -37,7 +37,6 @@ try:
     from jupyter_cache.base import CacheBundleIn
     from jupyter_cache.executors.utils import single_nb_execution
     import cover
-    import explorers
     import languages
     import offline
 except ImportError as error:
@@ -132,7 +131,6 @@ def build_language(language):
 def build_languages():
     """Both languages side by side -> {language: folder of its pages}. What both need is made before."""
     offline.copy_vendor()
-    explorers.bundle()
     cover.draw()
     with ThreadPoolExecutor() as pool:
         return dict(zip(languages.LANGUAGES, pool.map(build_language, languages.LANGUAGES)))

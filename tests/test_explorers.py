@@ -257,7 +257,7 @@ def test_one_wrong_sign_is_found(name, tmp_path, chromium):
     file = sources / "papers" / f"{name}.js"
     before, model, after = file.read_text(encoding="utf-8").partition("export function model(p) {")
     file.write_text(before + model + re.sub(r"(?<!\.\.)\bp\.(?=[A-Za-z])", "-p.", after, count=1), encoding="utf-8")
-    explorers_to_bundle.bundle(tmp_path, sources)
+    explorers_to_bundle.bundle(tmp_path, "en", sources)
     page = chromium.new_page()
     page.add_script_tag(path=tmp_path / "explorers.js")
     assert next(differences(name, page), None) is not None
@@ -293,16 +293,27 @@ def test_chi_square_bounds(dof, runs, bundle):
     assert bundle.evaluate("([dof, runs]) => KalmanExplorers.metrics.chi2Bounds(dof, runs)", [dof, runs]) == pytest.approx(chi2_bounds(dof, runs), rel=1e-9)
 
 
-def test_ranges_and_words_come_from_python(bundle):
-    tables = bundle.evaluate("KalmanExplorers.tables")
+@pytest.mark.parametrize("language, other", [("id", "en"), ("en", "id")])
+def test_ranges_and_words_come_from_python(language, other, site, opened):
+    tables = opened(pages_with_explorers(site, language)[0])[0].evaluate("KalmanExplorers.tables")
     for name in PAPERS:
-        assert tables[name] == describe(importlib.import_module(f"kalman_lib.papers.{name}").Params)
+        expected = describe(importlib.import_module(f"kalman_lib.papers.{name}").Params)
+        assert tables[name] == {field: {key: value for key, value in meta.items() if key != other} for field, meta in expected.items()}
+
+
+def test_a_page_loads_the_words_of_its_language(site):
+    """The words of the other one are left out where both stand side by side: those of every view's name, for one."""
+    for language in ("id", "en"):
+        script = (site / language / "_static" / "vendor" / "explorers" / "explorers.js").read_text(encoding="utf-8")
+        for path in (SOURCES / "papers").glob("*.js"):
+            for pair in re.findall(r'name: \{ id: "([^"]+)", en: "([^"]+)" \}', path.read_text(encoding="utf-8")):
+                assert [text in script for text in pair] == [language == "id", language == "en"], pair
 
 
 # --- who may import whom --------------------------------------------------------------------------------------------
 
-ALLOWED = {"linalg.js": set(), "words.js": set(), "random.js": {"linalg.js"}, "filters.js": {"linalg.js"}, "metrics.js": {"linalg.js"}, "plot.js": set(), "xlsx.js": set(), "spreadsheet.js": {"words.js"},
-           "explorer.js": {"words.js", "random.js", "plot.js"}}
+ALLOWED = {"linalg.js": set(), "words.js": set(), "random.js": {"linalg.js"}, "filters.js": {"linalg.js"}, "metrics.js": {"linalg.js"}, "painter.js": set(), "plot.js": {"painter.js"}, "xlsx.js": set(), "spreadsheet.js": {"words.js"},
+           "explorer.js": {"words.js", "random.js", "plot.js", "painter.js"}}
 PURE = {"linalg.js", "filters.js", "metrics.js", "random.js", "words.js"}
 
 
@@ -311,7 +322,7 @@ def test_import_rules(path):
     text = path.read_text(encoding="utf-8")
     imported = {name.rsplit("/", 1)[-1] for name in re.findall(r'^(?:import|export)[^;]*? from "([^"]+)"', text, re.M) if not name.startswith("data/")}
     in_papers = path.parent.name == "papers"
-    allowed = PURE | {file.name for file in SOURCES.glob("*.js")} - {"plot.js", "explorer.js"} if in_papers else ALLOWED.get(path.name, PURE)
+    allowed = PURE | {file.name for file in SOURCES.glob("*.js")} - {"painter.js", "plot.js", "explorer.js"} if in_papers else ALLOWED.get(path.name, PURE)
     assert imported <= allowed, f"{path.name} may not import {imported - allowed}"
     code = "\n".join(line for line in text.splitlines() if not line.lstrip().startswith(("//", "*", "/*")))
     if path.name not in ("plot.js", "explorer.js"):
@@ -347,6 +358,30 @@ def test_every_explorer_lives_without_an_error(scheme, language, site, server, o
     assert seen == set(PAPERS)
 
 
+@pytest.mark.parametrize("scheme", ["http", "file"])
+def test_the_picture_is_the_same_without_a_second_thread(scheme, site, server, chromium):
+    base, drawn = {"http": server, "file": site.as_uri()}[scheme], {}
+    for threads in (True, False):
+        context = chromium.new_context(viewport={"width": 1280, "height": 900}, service_workers="block", color_scheme="light")
+        if not threads:
+            context.add_init_script("delete window.Worker")
+        page = context.new_page()
+        page.goto(f"{base}/{pages_with_explorers(site, 'en')[0].relative_to(site).as_posix()}")
+        element = page.locator("kalman-explorer").first
+        element.scroll_into_view_if_needed()
+        assert element.evaluate("e => document.fonts.ready.then(() => new Promise(done => setTimeout(done, 500)))") is None
+        shown(element)
+        drawn[threads] = element.evaluate("""e => [...e.querySelectorAll('canvas')].map(canvas => {
+          const copy = Object.assign(document.createElement('canvas'), { width: canvas.width, height: canvas.height }).getContext('2d');
+          copy.drawImage(canvas, 0, 0);
+          return copy.getImageData(0, 0, canvas.width, canvas.height).data.filter((value, i) => i % 4 === 3 && value > 0).length;
+        })""")
+        refused = element.evaluate("""e => { try { return e.querySelector('canvas').getContext('2d') === null; } catch { return true; } }""")
+        assert refused == threads               # a canvas that was handed over has no context in the page
+        context.close()
+    assert min(drawn[True]) > 1000 and drawn[True] == pytest.approx(drawn[False], rel=0.02)
+
+
 def test_print_and_no_script_show_the_picture(site, server, chromium, opened):
     for name, page, _, element in explorers(site, opened, viewport={"width": 900, "height": 900}):
         page.emulate_media(media="print")
@@ -362,12 +397,16 @@ def test_print_and_no_script_show_the_picture(site, server, chromium, opened):
 # --- everyone ------------------------------------------------------------------------------------------------------
 
 PICTURE = """
-  const picture = e => [...e.querySelectorAll('canvas')].map(canvas => canvas.width && canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data
-    .reduce((sum, value, i) => (sum * 31 + value * (i & 3)) | 0, 7)).join() + e.querySelector('.explorer-outcome').textContent + e.querySelector('.explorer-equations').textContent;
+  const pixels = canvas => {                    // of a canvas that another thread paints: through a second one
+    const copy = Object.assign(document.createElement('canvas'), { width: canvas.width, height: canvas.height }).getContext('2d');
+    copy.drawImage(canvas, 0, 0);
+    return copy.getImageData(0, 0, canvas.width, canvas.height).data.reduce((sum, value, i) => (sum * 31 + value * (i & 3)) | 0, 7);
+  };
+  const picture = e => [...e.querySelectorAll('canvas')].map(canvas => canvas.width && pixels(canvas)).join() + e.querySelector('.explorer-outcome').textContent + e.querySelector('.explorer-equations').textContent;
   const drawn = async () => {
     await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 5))));
-    e.explorer.worded = -100;                   // the words follow at most ten times a second: now
-    e.explorer.words();
+    e.explorer.words(true);                     // they follow only some times a second
+    await e.explorer.painted();
   };"""
 
 
@@ -385,7 +424,7 @@ def test_every_slider_moves_the_picture(site, opened):
     for name, page, trouble, element in explorers(site, opened):
         dead = element.evaluate("""async e => {""" + PICTURE + """
           const open = () => { for (const box of e.querySelectorAll('input[type=checkbox]')) if (!box.checked) box.click(); };
-          const usable = part => part.offsetParent && !part.disabled, dead = [], plots = e.explorer.plots;
+          const usable = part => part.offsetParent && !part.disabled, dead = [];
           open();
           await drawn();
           let sliders = 0;
@@ -397,8 +436,8 @@ def test_every_slider_moves_the_picture(site, opened):
               slider.value = slider[end];
               slider.dispatchEvent(new Event('input', { bubbles: true }));
               await drawn();
-              for (const plot of plots) plot.near = true;
-              e.explorer.draw();
+              e.explorer.draw(true);
+              await e.explorer.painted();
               pictures.push(picture(e));
               const message = e.querySelector('.explorer-message');
               if (!message.hidden) dead.push(`${slider.id}: ${message.textContent}`);

@@ -54,6 +54,7 @@
 //       save: (r, s, t) => {name, type, content}         hands over a file
 import { number, InputError, speaker } from "./words.js";
 import { generator } from "./random.js";
+import { whenPainted } from "./painter.js";
 import { Plot, label, make, onThemeChange } from "./plot.js";
 
 const WORDS = {
@@ -103,7 +104,7 @@ const calm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 class Explorer {
   constructor(element, key, table, view) {
     const language = document.documentElement.lang === "id" ? "id" : "en";
-    Object.assign(this, { element, key, table, view, t: speaker(language), memo: {}, tween: {}, touched: false, worded: -100, unsaid: 0 });
+    Object.assign(this, { element, key, table, view, t: speaker(language), memo: {}, tween: {}, touched: false, dragging: false, worded: 0, unsaid: 0 });
     this.id = `explorer-${key.replace(".", "-")}-${Explorer.count = (Explorer.count || 0) + 1}`;
     this.controls = view.controls.map(control => ({ ...table[control.name], unit: table[control.name]?.unit || "", ...control }));
     this.defaults = { seed: SEED };
@@ -124,16 +125,20 @@ class Explorer {
 
   build() {
     const { view, t, id } = this;
+    let asked = 0;
+    const again = () => { asked ||= requestAnimationFrame(() => { asked = 0; if (this.r) { this.draw(true); this.words(true); } }); };
     this.plots = view.plots.map(spec => {
-      const plot = new Plot(spec, t);
+      const plot = new Plot(spec, t, () => again());
       if (spec.drag) this.draggable(plot, spec);
       return plot;
     });
-    const first = this.plots.filter(plot => !plot.spec.after), after = this.plots.filter(plot => plot.spec.after);
+    const figures = (name, plots) => make("div", { className: `explorer-figures ${name} ${plots.some(plot => plot.spec.half) ? "halves" : ""}` }, ...plots.map(plot => plot.element));
     this.outcome = make("p", { className: "explorer-outcome" });
     this.live = make("p", { className: "explorer-live", role: "status", "aria-live": "polite" });
     this.message = make("p", { className: "explorer-message", role: "alert", hidden: true });
     this.parts = this.controls.map(control => this.control(control));
+    const is_check = i => this.controls[i]?.kind === "check";
+    this.parts.forEach((part, i) => part.element.classList.toggle("beside", is_check(i) && (is_check(i - 1) || is_check(i + 1))));
     const fixed = make("div", { className: "explorer-buttons" });
     if (view.noise) fixed.append(this.button(this.say("noise"), () => this.change({ seed: this.s.seed + 1 })));
     fixed.append(this.button(this.say("reset"), () => this.reset()), this.button(this.say("link"), () => this.copyLink()));
@@ -146,23 +151,23 @@ class Explorer {
     this.details = make("details", { className: "explorer-numbers" }, make("summary", { textContent: this.say("numbers") }), this.table);
     this.details.addEventListener("toggle", () => this.fillNumbers());
     this.section = make("div", { className: "explorer", id, role: "region", "aria-label": t.say(view.name) },
-      make("div", { className: "explorer-stage" }, make("div", { className: "explorer-figures first" }, ...first.map(plot => plot.element)),
+      make("div", { className: "explorer-stage" }, figures("first", this.plots.filter(plot => !plot.spec.after)),
         this.outcome, this.live, this.message, controls, fixed),
       this.equations, this.facts,
-      make("div", { className: "explorer-figures" }, ...after.map(plot => plot.element)),
+      figures("", this.plots.filter(plot => plot.spec.after)),
       ...(view.question ? [this.handCheck()] : []), this.details);
     this.element.append(this.section);
     this.element.classList.add("live");
+    for (let around = this.element.parentElement; around && around !== document.body; around = around.parentElement) around.classList.add("explorer-around");
     for (const image of this.element.querySelectorAll("img")) image.loading = "eager";       // hidden, yet ready to be printed
-    const again = () => { for (const plot of this.plots) plot.measure(); this.draw(); };
-    this.resizes = new ResizeObserver(() => this.r && again());
+    this.resizes = new ResizeObserver(() => { for (const plot of this.plots) plot.width = undefined; again(); });
     this.resizes.observe(this.section);
-    onThemeChange(() => this.r && this.draw());
+    onThemeChange(again);
     this.views = new IntersectionObserver(entries => {
-      for (const entry of entries) this.plots.find(plot => plot.element === entry.target).near = entry.isIntersecting;
-      if (this.r) this.draw();
-    }, { rootMargin: "200px" });
-    for (const plot of this.plots) { plot.near = true; this.views.observe(plot.element); }
+      for (const entry of entries) this.plots.find(plot => plot.element === entry.target).seen = entry.isIntersecting;
+      if (this.r) { this.draw(); this.words(); }
+    });
+    for (const plot of this.plots) this.views.observe(plot.element);
   }
 
   button(text, react) {
@@ -189,7 +194,8 @@ class Explorer {
     const name = make("label", { htmlFor: id });
     if (control.symbol) name.append(make("b", {}, label(control.symbol)), " ");
     name.append(make("span", { textContent: words }));
-    const element = make("div", {}, name, range, make("span", { className: "explorer-typed" }, typed, make("span", { className: "explorer-unit", textContent: control.unit })));
+    const box = input => make("span", { className: "explorer-box" }, input);
+    const element = make("div", {}, name, box(range), make("span", { className: "explorer-typed" }, box(typed), make("span", { className: "explorer-unit", textContent: control.unit })));
     range.hidden = Boolean(control.field);
     range.addEventListener("input", () => {
       const place = Number(range.value);
@@ -200,16 +206,22 @@ class Explorer {
     });
     range.addEventListener("change", () => this.toHash());
     typed.addEventListener("change", () => this.safely(() => this.change({ [control.name]: this.accepted(control, number(typed.value)) })));
+    const place = () => {
+      const value = this.value(control), at = control.log ? (value <= low ? 0 : Math.round(STEPS * (Math.log(value) - from) / (to - from))) : value;
+      if (Number(range.value) !== at) range.value = at;
+    };
+    let seen;
     const show = () => {
-      const value = this.value(control);
-      const place = control.log ? (value <= low ? 0 : Math.round(STEPS * (Math.log(value) - from) / (to - from))) : value;
-      if (document.activeElement !== range || Number(range.value) !== place) range.value = place;
+      const value = this.value(control), disabled = Boolean(control.disabled?.(this.s)), now = `${value} ${disabled} ${typed.value}`;
+      place();
+      if (now === seen) return;
       const text = t.language === "id" ? plain(value).replace(".", ",") : plain(value);
       if (typed.value !== text && document.activeElement !== typed) typed.value = text;
       range.setAttribute("aria-valuetext", `${t.decimal(value)} ${control.unit}`.trim());
-      range.disabled = typed.disabled = Boolean(control.disabled?.(this.s));
+      range.disabled = typed.disabled = disabled;
+      seen = `${value} ${disabled} ${typed.value}`;
     };
-    return { element, show };
+    return { element, place, show };
   }
 
   check(control) {
@@ -272,9 +284,9 @@ class Explorer {
       element.prepend(make("span", { className: "explorer-name", textContent: this.t.say(control) }));
     }
     const show = () => control.items.forEach((item, i) => {
-      if (item.pressed) buttons[i].setAttribute("aria-pressed", String(Boolean(item.pressed(this.s))));
+      if (item.pressed) setAttribute(buttons[i], "aria-pressed", String(Boolean(item.pressed(this.s))));
       if (item.disabled) buttons[i].disabled = Boolean(item.disabled(this.s));
-      if (item.play) buttons[i].textContent = this.playing === item.play ? this.say("stop") : this.t.say(item);
+      if (item.play) setText(buttons[i], this.playing === item.play ? this.say("stop") : this.t.say(item));
     });
     return { element, show };
   }
@@ -298,8 +310,8 @@ class Explorer {
 
   /** Put new values into the state and draw in the next frame; dragging: the address waits until the reader lets go. */
   change(changes, dragging = false) {
-    this.before ??= this.s;
     this.s = { ...this.s, ...changes };
+    this.dragging = dragging;
     this.touched = true;
     this.moving = null;
     this.tween = {};
@@ -313,7 +325,13 @@ class Explorer {
     this.change({ ...this.defaults });
   }
 
-  schedule() { this.frame ||= requestAnimationFrame(() => { this.frame = 0; this.render(); }); }
+  /** Render in the next frame. While one drawing is painted the next may be made, but not a third: none queues up behind the finger. */
+  schedule() {
+    this.frame ||= requestAnimationFrame(() => whenPainted(() => { if (this.frame) { this.frame = 0; this.render(); } }, 1));
+  }
+
+  /** A promise that all that was drawn has been painted. */
+  painted() { return new Promise(done => whenPainted(done)); }
 
   render() {
     const start = performance.now();
@@ -321,16 +339,16 @@ class Explorer {
     try {
       const r = this.view.compute(s, this.memo);
       this.work = this.view.refine?.(r, s);
-      Object.assign(this, { r, shown: s, before: undefined });
+      Object.assign(this, { r, shown: s });
     } catch (error) {
       this.tell(error);                 // the figure stays
       this.showControls();
       return;
     }
-    this.refine(start + 5);
-    this.showControls();
+    this.refine(start + 4);
+    for (const part of this.parts) part.place?.();
     this.draw();
-    this.words();
+    this.words(!this.dragging);
     this.element.dispatchEvent(new CustomEvent("explorer-drawn", { detail: performance.now() - start }));
     this.continue();
     clearTimeout(this.pause);
@@ -344,21 +362,23 @@ class Explorer {
 
   continue() {
     if (!this.work || this.later) return;
-    this.later = requestAnimationFrame(() => {
+    this.later = requestAnimationFrame(() => whenPainted(() => {
       this.later = 0;
       if (this.frame) return;           // the reader is faster: render() starts anew
       this.refine(performance.now() + 8);
       this.draw();
       this.words();
       this.continue();
-    });
+    }, 1));
   }
 
-  /** Sentence, equations and facts: ten times a second is as fast as anybody reads, and the page is laid out anew each time. */
-  words() {
-    const wait = this.worded + 100 - performance.now();
-    if (wait > 0) { this.unsaid ||= setTimeout(() => { this.unsaid = 0; this.words(); }, wait); return; }
+  /** All that is text: at once, or while something moves six times a second, as fast as anybody reads: the page is laid out anew each time. */
+  words(now = false) {
+    const wait = this.worded + 160 - performance.now();
+    if (wait > 0 && !now) { this.unsaid ||= setTimeout(() => { this.unsaid = 0; this.words(); }, wait); return; }
     this.worded = performance.now();
+    this.showControls();
+    for (const plot of this.plots) plot.renewLegend();
     if (this.view.outcome) setText(this.outcome, this.view.outcome(this.r, this.shown, this.t));
     if (this.view.equations) fillEquations(this.equations, this.view.equations(this.r, this.shown, this.t));
     if (this.view.facts) fillTable(this.facts, this.view.facts(this.r, this.shown, this.t));
@@ -371,11 +391,12 @@ class Explorer {
     }
   }
 
-  draw() {
+  /** Draw the plots in sight, or all of them. */
+  draw(all = false) {
     for (const plot of this.plots) {
       const hidden = plot.spec.visible ? !plot.spec.visible(this.shown) : false;
       if (plot.element.hidden !== hidden) { plot.element.hidden = hidden; plot.width = undefined; }
-      if (!hidden && plot.near) plot.draw(plot.spec.draw(this.r, this.shown, this.t));
+      if (!hidden && (all || plot.seen)) plot.draw(plot.spec.draw(this.r, this.shown, this.t));
     }
   }
 
@@ -400,6 +421,7 @@ class Explorer {
       if (share < 1) for (const name of Object.keys(changes)) if (typeof changes[name] === "number" && typeof from[name] === "number") this.tween[name] = from[name] + eased * (changes[name] - from[name]);
       cancelAnimationFrame(this.frame);
       this.frame = 0;
+      this.dragging = share < 1;
       this.render();
       if (share < 1) requestAnimationFrame(step); else this.moving = null;
     };
@@ -467,11 +489,9 @@ class Explorer {
 
   accepted(control, value) {
     if (value >= control.min && value <= control.max) return value;
-    const values = language => {
-      const t = speaker(language);
-      return { name: control.symbol || control.name, value: t.decimal(value, 12), min: t.decimal(control.min, 12), max: t.decimal(control.max, 12), unit: control.unit ? ` ${control.unit}` : "" };
-    };
-    throw new InputError({ id: speaker("id").say(WORDS.range, values("id")), en: speaker("en").say(WORDS.range, values("en")) });
+    const { t } = this, unit = control.unit ? ` ${control.unit}` : "";
+    const text = this.say("range", { name: control.symbol || control.name, value: t.decimal(value, 12), min: t.decimal(control.min, 12), max: t.decimal(control.max, 12), unit });
+    throw Object.assign(new InputError({ [t.language]: text }), { outside: true });
   }
 
   async copy(text) {
@@ -529,7 +549,7 @@ class Explorer {
           values[name] = this.accepted(control, number(value));
         }
       } catch (error) {
-        this.tell(error instanceof InputError && error.en.includes("accepted") ? error : this.say("hash", { text: text.slice(0, 60) }));
+        this.tell(error.outside ? error : this.say("hash", { text: text.slice(0, 60) }));
         return false;
       }
     }
@@ -582,6 +602,8 @@ class Explorer {
   }
 }
 
+// What is as it should be is left alone: every change costs a layout or a style.
+const setAttribute = (element, name, value) => { if (element.getAttribute(name) !== value) element.setAttribute(name, value); };
 const setText = (element, text) => { if (element.textContent !== text) element.textContent = text; };
 
 /** A number for a text field: no digit lost, no needless one. */

@@ -12,6 +12,8 @@
 //   {paint(ctx, X, Y, colours)}      anything else; X and Y turn values into pixels
 // A label is {id, en}, or one text for both, in which "_" makes what follows an index: "x_true", "σ_w".
 
+import { sheetFor } from "./painter.js";
+
 export const LOOKS = {
   truth: { width: 1.2 },
   measurement: { dots: 2.4 },
@@ -25,7 +27,11 @@ export const LOOKS = {
 
 const MARGIN = { left: 50, right: 12, top: 8, bottom: 34 }, BARE = { left: 1, right: 6, top: 4, bottom: 4 };
 
+const HERE = document.currentScript?.src || "";         // the page's font lies beside this script; a thread of a file:// page may not load it
+const FONT = HERE.startsWith("http") ? ["Plus Jakarta Sans", `url("${new URL("../fonts/plus-jakarta-sans-latin-wght-normal.woff2", HERE)}")`, { weight: "200 800" }] : null;
+
 let colours = null;             // what the style sheet says for the theme of the page
+const restyled = new Set();     // who draws again when colours or fonts have changed
 
 function readColours() {
   const style = getComputedStyle(document.documentElement);
@@ -34,10 +40,13 @@ function readColours() {
   colours.font = style.getPropertyValue("--sans").trim() || "sans-serif";
 }
 
+const restyle = () => { colours = null; for (const again of restyled) again(); };
+
 /** Call `again` when the colours or the fonts of the page have changed. */
 export function onThemeChange(again) {
-  new MutationObserver(() => { colours = null; again(); }).observe(document.documentElement, { attributeFilter: ["data-theme"] });
-  document.fonts?.ready.then(again);
+  if (restyled.add(again).size > 1) return;
+  new MutationObserver(restyle).observe(document.documentElement, { attributeFilter: ["data-theme"] });
+  document.fonts?.ready.then(restyle);
 }
 
 /** An index in a label as an element: "x_true" -> x with a lowered "true". */
@@ -70,9 +79,9 @@ const powers = (low, high, count) => {
   return out;
 };
 
-/** One pair of axes with a legend above it. `spec` is the paper's description of the plot (see explorer.js). */
+/** One pair of axes with a legend above it. `spec` is the paper's description of the plot (see explorer.js); redraw() asks for a drawing. */
 export class Plot {
-  constructor(spec, speaker) {
+  constructor(spec, speaker, redraw) {
     Object.assign(this, { spec, speaker, legend: "" });
     this.element = make("div", { className: `explorer-plot ${spec.half ? "half" : ""}` });
     this.words = make("div", { className: "explorer-legend" });
@@ -84,7 +93,7 @@ export class Plot {
     this.keys = make("span", { className: "explorer-keys" });
     this.words.append(this.title, this.keys);
     this.element.append(this.words, this.canvas);
-    this.ctx = this.canvas.getContext("2d");
+    sheetFor(this.canvas, FONT).then(sheet => { this.sheet = sheet; this.ctx = sheet.ctx; redraw(); });
   }
 
   /** Ask the browser how large the canvas is; only when that may have changed. */
@@ -93,11 +102,12 @@ export class Plot {
     this.height = this.canvas.clientHeight;
     const scale = Math.min(devicePixelRatio || 1, 3);
     const [width, height] = [Math.round(this.width * scale), Math.round(this.height * scale)];
-    if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
-    this.scale = scale;
+    if (this.scale !== scale || this.pixels !== `${width} ${height}`) this.sheet.resize(width, height);
+    Object.assign(this, { scale, pixels: `${width} ${height}` });
   }
 
   draw(drawing) {
+    if (!this.sheet) return;            // it comes in a moment, and asks for a drawing
     if (!colours) readColours();
     if (this.width === undefined) this.measure();
     if (!(this.width > 0)) return;
@@ -119,7 +129,8 @@ export class Plot {
     ctx.clip();
     for (const layer of layers) this.layer(layer, X, Y, x0, x1, y0, y1);
     ctx.restore();
-    this.renewLegend(layers);
+    this.sheet.done();
+    this.layers = layers;
   }
 
   axes(xlim, ylim, x0, x1, y0, y1) {
@@ -166,7 +177,6 @@ export class Plot {
     ctx.strokeStyle = ctx.fillStyle = colour;
     ctx.lineWidth = look.width || 1.6;
     ctx.setLineDash(look.dash || []);
-    ctx.lineJoin = "round";
     if (layer.paint) {
       layer.paint(ctx, X, Y, colours);
     } else if (look.band) {
@@ -194,7 +204,7 @@ export class Plot {
     } else if (layer.level !== undefined) {
       line(ctx, x0, Y(layer.level), x1, Y(layer.level));
     } else if (look.dots) {
-      const { x, y } = layer, size = x.length < 400 ? look.dots : 1.2, skip = Math.max(1, Math.floor(x.length / 3000));
+      const { x, y } = layer, size = x.length < 300 ? look.dots : 1.2, skip = Math.max(1, Math.floor(x.length / (4 * (x1 - x0))));
       ctx.beginPath();
       for (let i = 0; i < x.length; i += skip) {
         const a = X(x[i]), b = Y(y[i]);
@@ -216,6 +226,7 @@ export class Plot {
       if (pen) ctx.lineTo(X(a), clamp(Y(b))); else ctx.moveTo(X(a), clamp(Y(b)));
       pen = true;
     };
+    ctx.lineJoin = x.length > width ? "bevel" : "round";        // no eye tells them apart there, and round ones take longer
     ctx.beginPath();
     if (chunk < 2) {
       for (let i = 0; i < x.length; i++) to(x[i], y[i]);
@@ -247,8 +258,8 @@ export class Plot {
   }
 
   /** The legend is text of the page, so that it grows with it and can be read aloud. */
-  renewLegend(layers) {
-    const named = layers.filter(layer => layer.label), key = named.map(layer => layer.look + this.speaker.say(layer.label)).join("|");
+  renewLegend() {
+    const named = (this.layers || []).filter(layer => layer.label), key = named.map(layer => layer.look + this.speaker.say(layer.label)).join("|");
     if (key === this.legend) return;
     this.legend = key;
     this.keys.replaceChildren(...named.map(layer => {

@@ -3,7 +3,7 @@
 /** A mistake in what the reader typed, pasted or loaded: one sentence in both languages. */
 export class InputError extends Error {
   constructor({ id, en }) {
-    super(en);
+    super(en ?? id);
     Object.assign(this, { id, en });
   }
 }

@@ -87,11 +87,12 @@ function* errors(r, s, memo) {
     for (let run = runs.count; run < until; run++) {
       let e = 0, best = 0, at = 2 * T * run;
       for (let k = 0; k < T; k++) {
-        const w = a * noise[at++], v = b * noise[at++], e_pred = e + w, y = e_pred + v, best_pred = best + w;
-        e = e_pred - filter.K[k] * y;
-        best = best_pred - optimum.K[k] * (best_pred + v);
+        const w = a * noise[at++], v = b * noise[at++], y = e + w + v;          // y = e_pred + v
+        e += w - filter.K[k] * y;
         runs.e2[k] += e * e;
         runs.y2[k] += y * y;
+        if (filter === optimum) continue;
+        best += w - optimum.K[k] * (best + w + v);
         runs.best2[k] += best * best;
       }
     }
@@ -121,8 +122,9 @@ function compute(s, memo) {
     band_high[k] = 2 * root[k];
   }
   for (const name of ["e2", "y2", "best2"]) memo[name].fill(0);
+  const { e2, y2 } = memo, best2 = s.other ? memo.best2 : e2;
   return { T, flight, filter, optimum, believed, memo, t, error, measured, low, high, root, band_low, band_high,
-           runs: { e2: memo.e2, y2: memo.y2, best2: memo.best2, count: 0 } };
+           runs: { e2, y2, best2, count: 0 } };
 }
 
 /** Over the runs so far: RMSE of filter and optimum (rad), mean NEES and NIS. */

@@ -84,11 +84,13 @@ export function attitude({ t, gyr, acc, mag, rest_s }, how, memo = {}) {
   while (rest < T && t[rest] - t[0] <= rest_s) rest++;
   if (memo.gyr !== gyr || memo.acc !== acc || memo.mag !== mag || memo.without !== without) {
     const { z, start } = measured(acc, mag, rest, how);
-    Object.assign(memo, { gyr, acc, mag, without, given: z, start, step: median_step(t), spread: spread(z, missing("rest variance") ? T : rest) });
+    Object.assign(memo, { gyr, acc, mag, without, dynamic_by: null, given: z, start, step: median_step(t), spread: spread(z, missing("rest variance") ? T : rest) });
     if (memo.angles?.length !== 3 * T) for (const name of ["angles", "z", "u", "s", "y", "P", "R"]) memo[name] = new Float64Array(3 * T);
   }
   const { given, angles, step } = memo, R_rest = memo.spread.map((variance, i) => Math.max(variance, how.R_min[i], 1e-12));
-  const dynamic = memo.dynamic = is_dynamic(t, mag, rest, how.window, how.threshold, step);
+  const dynamic_by = [how.window, how.threshold].join();
+  if (memo.dynamic_by !== dynamic_by) Object.assign(memo, { dynamic_by, dynamic: is_dynamic(t, mag, rest, how.window, how.threshold, step) });
+  const { dynamic } = memo;
   const at_rest = [0, 1, 2].map(i => missing("rest mean") ? 0 : mean(gyr, i, rest)), largest = R_rest.map(R => how.largest * R);
   const P_s = kept ? (variance(gyr, 0, rest) + variance(gyr, 1, rest) + variance(gyr, 2, rest)) / 3 / rest_s : 0;
   const [plain, early, wrapping, own] = [missing("Euler rates"), missing("midpoint"), !missing("wrapping"), !missing("estimated tilt")];
@@ -116,8 +118,8 @@ export function attitude({ t, gyr, acc, mag, rest_s }, how, memo = {}) {
         P11[i] += how.q_bias * dt;
       } else {
         s[i] = 0;
-        P00[i] += q * dt ** 3 / 3;
-        P01[i] = -q * dt ** 2 / 2;
+        P00[i] += q * dt * dt * dt / 3;
+        P01[i] = -q * dt * dt / 2;
         P11[i] = q * dt;
       }
     }
@@ -383,7 +385,7 @@ export function rmse_deg(truth, angles) {
 
 // --- what is shown ----------------------------------------------------------------------------------------------------
 
-const SKIP = 12;                // of the flight every twelfth sample is drawn: 0.24 s
+const SKIP = 20;                // of the flight every twentieth sample is drawn, 0.4 s: about one for a pixel
 const WORDS = {
   made: { id: "Penerbangan sintetis (benih acak {seed}).", en: "The flight is synthetic (random seed {seed})." },
   rmse: { id: "RMSE terhadap sudut sebenarnya: roll {roll}°, pitch {pitch}°, yaw {yaw}°; sensor saja {z_roll}°, {z_pitch}°, {z_yaw}°.",
