@@ -2,7 +2,8 @@
 
 Five ideas, each of which leaves the result as it is:
 1. The equations of P, S and K hold no data. So they run first, and only until they no longer change.
-2. Many runs of one model share their gains: the state of all runs is one array, and a step is one line for all.
+2. Many runs of one model share their gains: the state of all runs is one array, and several steps of all of them are
+   one product of matrices: see `_steps`.
 3. A long series is many short ones side by side: see `scan` and `sweep`.
 4. States that have nothing to do with each other (the axes of an attitude) are small filters of their own.
 5. What nobody asks for is not computed: the result keeps x and P, and makes the other fields when they are read.
@@ -19,26 +20,33 @@ from typing import NamedTuple
 import numpy as np
 
 from . import filters, rows
-from .filters import FilterResult, SmootherResult, _series, _solve, _symmetric
+from .filters import FilterResult, SmootherResult, _is_complete, _series, _solve, _symmetric
 from .models import LinearModel, NonlinearModel, subtract
 
 SHORT = 50              # steps: the loop itself is quick enough
 LONG = 2000             # steps: from here on in blocks side by side
+CHUNK = 64              # steps whose covariances are found at once
+MANY = 8                # steps of many runs that one product of matrices does
+RUNS = 16_384           # so many of them at once: they fit into the processor's cache
 STEADY = 0.9995         # a filter that keeps more than this of an error from step to step is not cut into blocks
 
 
 @functools.wraps(filters.kalman_filter)
 def kalman_filter(model, z, u=None, adapt_R=None):
-    z = _series("z", z, width=model.R.shape[-1], runs=True)
-    u = None if u is None else _series("u", u, steps=len(z))
-    if adapt_R is None and model.R.ndim == 2 and z.ndim == 3 and not np.isnan(z.max()):
-        if _plain(model, u):
-            return _filter_runs(model, z, u)
-        if isinstance(model, NonlinearModel) and model.many_runs and z.shape[1] == 1:
-            return _extended_runs(model, z, u)
+    z, many = _series("z", z, width=model.R.shape[-1], runs=True), np.ndim(z) == 3
+    complete = many or _is_complete("z", z)     # of many runs: later
+    if u is not None:
+        u = _series("u", u, steps=len(z))
+        _is_complete("u", u)
+    if many and adapt_R is None and model.R.ndim == 2:
+        fits = _plain(model, u)
+        if fits or (isinstance(model, NonlinearModel) and model.many_runs and z.shape[1] == 1):
+            result = (_filter_runs if fits else _extended_runs)(model, z, u)
+            if np.isfinite(result.x[-1]).all():         # what is not finite in z would still be there: the loop names it
+                return result
     if adapt_R is None and z.ndim == 2 and len(z) >= SHORT and _plain(model, u) \
             and (model.R.ndim == 2 or len(model.R) == len(z)):
-        return _filter_one(_Series.of(model, z, u))
+        return _filter_one(_Series.of(model, z, u, complete))
     return filters.kalman_filter(model, z, u, adapt_R)
 
 
@@ -61,10 +69,10 @@ class _Series(NamedTuple):
     missing: np.ndarray | None
 
     @classmethod
-    def of(cls, model, z, u):
+    def of(cls, model, z, u, complete):
         drive = None if u is None or not u.any() else u @ model.B.T
         missing = None
-        if np.isnan(z.max()):                   # NaN is the maximum of whatever holds one
+        if not complete:
             missing = np.isnan(z).any(axis=1)
             z = np.where(missing[:, np.newaxis], np.nan, z)     # one NaN, and no sensor has measured
         return cls(model.F, model.H, model.Q, model.R, model.x0, model.P0, z, drive, missing)
@@ -196,22 +204,25 @@ def _filter_one(s):
     varies = s.missing is not None or s.R.ndim == 3
     found = in_blocks(s, parts) if varies and len(s.z) >= LONG else None
     if found is None:
-        found = [_filter_number(part) if part.F.shape == part.H.shape == (1, 1) else _filter_states(part)
-                 for _, part in parts]
+        found = [_filter_number(part) if part.F.shape == part.H.shape == (1, 1) else
+                 _step_by_step(part) if varies else _filter_states(part) for _, part in parts]
     steps = max(len(P) for _, P in found)
-    if len(parts) == 1:
-        x, P = found[0]
-    else:
-        x = np.empty((len(s.z), len(s.x0)))
+    x = found[0][0] if len(parts) == 1 else np.empty((len(s.z), len(s.x0)))
+    if len(parts) > 1:
         for (states, _), (x_part, _) in zip(parts, found):
             x[:, states] = x_part
+    return _result(s, x, _Gains(s, steps, lambda: _together(s, parts, [P for _, P in found])))
 
-        def P():
-            whole = np.zeros((steps, *s.F.shape))
-            for (states, _), (_, P_part) in zip(parts, found):
-                whole[(slice(None), *np.ix_(states, states))] = _repeat_last(P_part, steps)
-            return whole
-    return _result(s, x, _Gains(s, steps, P))
+
+def _together(s, parts, covariances):
+    """P (steps, n, n) from those of the parts, each (k, ...)."""
+    if len(parts) == 1:
+        return covariances[0]
+    steps = max(map(len, covariances))
+    whole = np.zeros((steps, *s.F.shape))
+    for (states, _), P in zip(parts, covariances):
+        whole[(slice(None), *np.ix_(states, states))] = _repeat_last(P, steps)
+    return whole
 
 
 def independent(s):
@@ -234,12 +245,12 @@ def independent(s):
 
 
 def _filter_number(s):
-    """One state, one sensor: the equations in Python floats, which for single numbers beat NumPy by far."""
+    """One state, one sensor: the equations in Python floats, which for single numbers beat NumPy by far -> x, P."""
     F, H, Q, x, P = (float(M.flat[0]) for M in (s.F, s.H, s.Q, s.x0, s.P0))
-    T, z = len(s.z), _floats(s.z[:, 0])
-    drive = repeat(0.0) if s.drive is None else _floats(s.drive[:, 0])
-    states, variances = [], []
+    T = len(s.z)
     if s.missing is not None or s.R.ndim == 3:
+        states, variances, z = [], [], _floats(s.z[:, 0])
+        drive = repeat(0.0) if s.drive is None else _floats(s.drive[:, 0])
         for z_k, drive_k, R_k in zip(z, drive, _floats(np.broadcast_to(s.R, (T, 1, 1))[:, 0, 0])):
             x, P = F * x + drive_k, F * P * F + Q
             if z_k == z_k:                      # not NaN
@@ -249,25 +260,82 @@ def _filter_number(s):
             states.append(x)
             variances.append(P)
         return np.array(states)[:, np.newaxis], np.array(variances)[:, np.newaxis, np.newaxis]
+    P = _variances(s)
+    K = P[:, 0, 0] * (H / float(s.R[0, 0]))     # K = P H / R
+    k = T if T - len(K) < LONG or abs(F * (1 - K[-1] * H)) > STEADY else len(K)
+    K_k = _repeat_last(K, k)
+    keep = 1 - K_k * H                          # x = (1 - K H) (F x + B u) + K z
+    b = K_k * s.z[:k, 0] if s.drive is None else K_k * s.z[:k, 0] + keep * s.drive[:k, 0]
+    states = np.array([x := a_k * x + b_k for a_k, b_k in zip(_floats(F * keep), _floats(b))])[:, np.newaxis]
+    return states if k == T else _settled(s, states, K[-1:, np.newaxis]), P
 
-    R = float(s.R[0, 0])
-    FF, HH = F * F, H * H
+
+def _variances(s):
+    """P (k, 1, 1) of one state and one sensor, until it no longer changes."""
+    F, H, Q, R, P = (float(M.flat[0]) for M in (s.F, s.H, s.Q, s.R, s.P0))
+    T, FF, HH, variances = len(s.z), F * F, H * H, []
     while len(variances) < T:                   # (1 - K H) P_pred = P_pred R / S, without a difference that cancels
         variances += [P := (P_pred := FF * P + Q) * (R / (HH * P_pred + R)) for _ in range(min(64, T - len(variances)))]
         if P == variances[-2]:                  # P depends on the P before it only: from here on it stays
             break
-    P = np.array(variances)
-    gains = (P * (H / R)).tolist()              # K = P H / R
-    K_steady = gains[-1]
-    k = T if T - len(gains) < LONG or abs(F * (1 - K_steady * H)) > STEADY else len(gains)
-    states = [x := (x_pred := F * x + drive_k) + K * (z_k - H * x_pred)
-              for z_k, drive_k, K, _ in zip(z, drive, chain(gains, repeat(K_steady)), range(k))]
-    states = np.array(states)[:, np.newaxis]
-    return states if k == T else _settled(s, states, np.array([[K_steady]])), P[:, np.newaxis, np.newaxis]
+    return np.array(variances)[:, np.newaxis, np.newaxis]
 
 
 def _filter_states(s):
-    """A few states, step by step, in the quicker of the two forms of a step, until the gain has settled."""
+    """A few states with a constant R and without gaps: P by `_covariances`, then x with the gains -> x, P."""
+    P = _covariances(s)
+    if P is None:
+        return _step_by_step(s)
+    T, gains = len(s.z), _Gains(s, len(P), P)
+    K = gains.K
+    A, k = (np.eye(len(s.x0)) - K @ s.H) @ s.F, T if T - len(K) < LONG else len(K)
+    x, drive = np.empty((k, len(s.x0))), None
+    if s.drive is not None:
+        drive = s.drive[:k] - (_repeat_last(K, T)[:k] @ (s.drive[:k] @ s.H.T)[:, :, np.newaxis])[:, :, 0]
+    _steps(A, K, s.z[:k, :, np.newaxis], drive, s.x0[:, np.newaxis], x[:, :, np.newaxis])
+    return x if k == T else _settled(s, x, K[-1]), P
+
+
+def _covariances(s):
+    """P (k, n, n), until it no longer changes; None where rounding is in the way.
+
+    Whatever P was, j steps later it is A (I + P J)^-1 P A' + C, with A, J and C of these j steps alone. Those of one
+    step give those of two, these of three and four, and so on: after a few rounds they are known for CHUNK steps, and
+    so is every P. (Sarkka and Garcia-Fernandez, 2021, Lemma 8.) A last exact step from each P to the next one takes the
+    rounding of all this away, or shows that it was too much.
+    """
+    T, I = len(s.z), np.eye(len(s.x0))
+    S = s.H @ s.Q @ s.H.T + s.R
+    K, HF = np.linalg.solve(S, s.H @ s.Q).T, s.H @ s.F
+    A, C = ((I - K @ s.H) @ s.F)[np.newaxis], ((I - K @ s.H) @ s.Q @ (I - K @ s.H).T + K @ s.R @ K.T)[np.newaxis]
+    J = _symmetric(HF.T @ np.linalg.solve(S, HF))[np.newaxis]
+    while len(A) < min(T, CHUNK):               # first all steps so far, then 1, 2, ... more
+        n, more = len(I), slice(min(T, CHUNK) - len(A))
+        X = np.linalg.solve(I + C[-1] @ J[more], np.concatenate([A[-1], C[-1]], axis=1))
+        A, C, J = (np.concatenate(pair) for pair in (
+            (A, A[more] @ X[:, :, :n]),
+            (C, _symmetric(A[more] @ X[:, :, n:] @ A[more].swapaxes(1, 2)) + C[more]),
+            (J, _symmetric(A[-1].T @ J[more] @ X[:, :, :n]) + J[-1])))
+    found, done = [s.P0[np.newaxis]], 0
+    while done < T:
+        P = found[-1][-1]
+        found.append(_symmetric(A @ np.linalg.solve(I + P @ J, P) @ A.swapaxes(1, 2)) + C)
+        done += len(A)
+        if len(A) > 1 and _close(s, found[-1][-1], found[-1][-2]):
+            break
+    P = np.concatenate(found)[:T + 1]
+    P_pred = _symmetric(s.F @ P[:-1] @ s.F.T) + s.Q
+    HP = s.H @ P_pred
+    K = np.linalg.solve(HP @ s.H.T + s.R, HP).swapaxes(1, 2)
+    I_KH = I - K @ s.H
+    exact = _symmetric(I_KH @ P_pred @ I_KH.swapaxes(1, 2) + K @ s.R @ K.swapaxes(1, 2))
+    sigma = np.sqrt(np.abs(np.diagonal(P_pred, axis1=1, axis2=2)))
+    good = np.abs(exact - P[1:]) <= 1e-13 * sigma[:, :, np.newaxis] * sigma[:, np.newaxis]
+    return exact if good.all() else None        # NaN is not good either
+
+
+def _step_by_step(s):
+    """A few states in the quicker of the two forms of a step, until the gain has settled -> x, P."""
     T, varies, one_sensor = len(s.z), s.missing is not None or s.R.ndim == 3, len(s.H) == 1
     step = _Entries([s]) if one_sensor else _Matrices(s)
     rows_of = _floats if one_sensor else iter
@@ -290,6 +358,8 @@ def _filter_states(s):
 
 def _floats(a):
     """The rows of an array as Python numbers, not all at once: a million of them would take a while."""
+    if len(a) <= 500:
+        return a.tolist()
     return chain.from_iterable(a[k:k + 500].tolist() for k in range(0, len(a), 500))
 
 
@@ -510,31 +580,85 @@ def in_blocks(s, parts):
 # --- many runs -------------------------------------------------------------------------------------------------------
 
 def _filter_runs(model, z, u):
-    """z (T, m, runs) of a linear model: the gains once, then every step for all runs at once.
+    """z (T, m, runs) of a linear model: the gains once, then every run with the same numbers.
 
     x = x_pred + K (z - H x_pred) with x_pred = F x + B u is, sorted by what changes,
     (I - K H) F x + K z + (I - K H) B u.
     """
-    T, m, runs = z.shape
-    alone = kalman_filter(model, np.zeros((T, m)))
-    s = _Series.of(model, z, u)
-    K = alone.gains.K if isinstance(alone, LazyFilterResult) else alone.K
-    x, work, before = np.empty((T, len(s.x0), runs)), None, np.repeat(s.x0[:, np.newaxis], runs, axis=1)
-    work = np.empty_like(before)
+    s = _Series.of(model, z, u, True)
+    (T, m, runs), nothing = z.shape, np.zeros(z.shape[:2])
+    if T < SHORT:
+        P = filters.kalman_filter(model, nothing).P
+    else:
+        parts, found = independent(s._replace(z=nothing)), []
+        for _, part in parts:
+            P = (_variances if part.F.shape == part.H.shape == (1, 1) else _covariances)(part)
+            found.append(_step_by_step(part)[1] if P is None else P)
+        P = _together(s, parts, found)
+    gains = _Gains(s, len(P), P)
+    K = gains.K
     I_KH = np.eye(len(s.x0)) - K @ s.H
-    A, drive = I_KH @ s.F, None
-    if s.drive is not None:
-        drive = _repeat_last(I_KH, T) @ s.drive[:, :, np.newaxis]
-    number = len(s.x0) == m == 1
-    for k in range(T):
-        i = min(k, len(K) - 1)
-        (np.multiply if number else np.dot)(A[i], before, out=work)
-        before = (np.multiply if m == 1 else np.dot)(K[i], z[k], out=x[k])      # one sensor: a column times a row
-        before += work
-        if drive is not None:
-            before += drive[k]
-    P = alone.gains.P if isinstance(alone, LazyFilterResult) else alone.P
-    return _result(s, x, _Gains(s, len(P), P))
+    drive = None if s.drive is None else (_repeat_last(I_KH, T) @ s.drive[:, :, np.newaxis])[:, :, 0]
+    x = np.empty((T, len(s.x0), runs))
+    _steps(I_KH @ s.F, K, z, drive, s.x0[:, np.newaxis], x)
+    return _result(s, x, gains)
+
+
+@np.errstate(over="ignore", invalid="ignore")   # kalman_filter looks at the end
+def _steps(A, K, z, drive, start, x, backwards=False):
+    """x_k = A_k x_{k-1} + K_k z_k + drive_k for all runs, into x (T, n, runs); z (T, m, runs), drive (T, n) or None,
+    start (n, runs) or (n, 1). A (k, n, n) and K (k, n, m): at later steps they are the last one. Backwards:
+    x_k = A_k x_{k+1} + K_k z_k + drive_k, from the last step to the first.
+
+    Many multiplications by a number read and write all runs again and again. One product of matrices does it for MANY
+    steps: the states after each of them are M [x; z of the first; z of the second; ...; 1].
+    """
+    (T, n, runs), m, many = x.shape, z.shape[1], min(MANY, len(x))
+    blocks = -(-T // many)
+    distinct = min(blocks, -(-len(A) // many) + 1)
+    A, K = (M[np.minimum(np.arange(distinct * many), len(M) - 1)].reshape(distinct, many, *M.shape[1:]) for M in (A, K))
+    last = T - (blocks - 1) * many              # steps of the last block
+    whole, rest = _products(A, K, backwards), _products(A[-1:, :last], K[-1:, :last], backwards)[0]
+    if drive is not None:
+        padded = np.concatenate([drive, np.zeros((blocks * many - T, n))]).reshape(blocks, many, n)
+        owed = _owed(A, padded, backwards)
+    for part in (slice(first, first + RUNS) for first in range(0, runs, RUNS)):
+        before = np.broadcast_to(start, (n, runs))[:, part]
+        W = np.empty((n + many * m + 1, before.shape[1]))
+        for i in reversed(range(blocks)) if backwards else range(blocks):
+            steps, M = (last, rest) if i == blocks - 1 else (many, whole[min(i, distinct - 1)])
+            W_i, k = W[:n + steps * m + 1], slice(i * many, i * many + steps)
+            W_i[:n], W_i[n:-1] = before, z[k, :, part].reshape(-1, before.shape[1])
+            if drive is None:
+                M, W_i = M[:, :-1], W_i[:-1]
+            else:
+                M[:, -1], W_i[-1] = owed[i, :steps].ravel(), 1
+            block = np.dot(M, W_i, out=x[k].reshape(-1, runs) if runs <= RUNS else None)
+            if runs > RUNS:
+                x[k, :, part] = block.reshape(steps, n, -1)
+            before = block[:n] if backwards else block[-n:]
+
+
+def _products(A, K, backwards):
+    """M of `_steps` for every block: A (blocks, many, n, n), K (blocks, many, n, m) -> (blocks, many n, n + many m + 1)."""
+    (blocks, many, n, m), order = K.shape, range(K.shape[1])
+    M, row = np.empty((blocks, many, n, n + many * m + 1)), np.zeros((blocks, n, n + many * m + 1))
+    row[:, :, :n] = np.eye(n)
+    for j in reversed(order) if backwards else order:
+        row = A[:, j] @ row
+        row[:, :, n + j * m:n + (j + 1) * m] = K[:, j]
+        M[:, j] = row
+    return M.reshape(blocks, many * n, -1)
+
+
+def _owed(A, drive, backwards):
+    """What the states after each step of a block owe to its drive (blocks, many, n) -> the same shape."""
+    owed, x, order = np.empty_like(drive), np.zeros((*drive[:, 0].shape, 1)), range(drive.shape[1])
+    settled = np.minimum(np.arange(len(drive)), len(A) - 1)
+    for j in reversed(order) if backwards else order:
+        x = A[settled, j] @ x + drive[:, j, :, np.newaxis]
+        owed[:, j] = x[..., 0]
+    return owed
 
 
 def _extended_runs(model, z, u):
@@ -611,14 +735,11 @@ def smooth_runs(result):
                          "x of shape (T, n, runs). / smooth_runs menerima hasil kalman_filter untuk banyak percobaan "
                          "suatu LinearModel, x berukuran (T, n, runs).")
     s, x, G = gains.s, result.x, _smoother_gains(gains)
-    I_GF, smooth, work = np.eye(len(s.x0)) - G @ s.F, np.empty_like(x), np.empty_like(x[0])
+    smooth = np.empty_like(x)
     smooth[-1] = x[-1]
-    for k in reversed(range(len(x) - 1)):       # x + G (x_next - F x - B u), sorted by what changes
-        i = min(k, len(G) - 1)
-        np.dot(I_GF[i], x[k], out=smooth[k])
-        smooth[k] += np.dot(G[i], smooth[k + 1], out=work)
-        if s.drive is not None:
-            smooth[k] -= (G[i] @ s.drive[k + 1])[:, np.newaxis]
+    if len(x) > 1:                              # x + G (x_next - F x - B u), sorted by what changes
+        drive = None if s.drive is None else -(_repeat_last(G, len(x) - 1) @ s.drive[1:, :, np.newaxis])[:, :, 0]
+        _steps(G, np.eye(len(s.x0)) - G @ s.F, x[:-1], drive, x[-1], smooth[:-1], backwards=True)
     return LazySmootherResult(x=smooth, P=lambda: _smoother_P(gains, G, len(x)), G=lambda: _repeat_last(G, len(x) - 1))
 
 

@@ -3,6 +3,7 @@
 One loop serves the linear and the extended filter: the model hands over F and H, constant or evaluated at the
 estimate. Source: Kalman (1960); the smoother: Rauch, Tung and Striebel (1965).
 """
+import math
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -105,7 +106,10 @@ def kalman_filter(model, z, u=None, adapt_R=None):
     cannot share their gains.
     """
     z = _series("z", z, width=model.R.shape[-1], runs=True)
-    u = None if u is None else _series("u", u, steps=len(z))
+    _is_complete("z", z)
+    if u is not None:
+        u = _series("u", u, steps=len(z))
+        _is_complete("u", u)
     if z.ndim == 3:
         return _filter_runs(model, z, u, adapt_R)
     if model.R.ndim == 3 and len(model.R) != len(z):
@@ -179,7 +183,7 @@ def _adapted(adapt_R, k, model, x_pred, P_pred, z, R):
 
 
 def _symmetric(P):
-    return (P + P.T) / 2
+    return (P + P.swapaxes(-1, -2)) / 2
 
 
 def _solve(A, b):
@@ -191,7 +195,7 @@ def _solve(A, b):
 
 
 def _series(name, values, width=None, steps=None, runs=False):
-    """z or u as a float array of shape (T, width), with runs=True also (T, width, runs); NaN only in z."""
+    """z or u as a float array of shape (T, width), with runs=True also (T, width, runs); what it holds: _is_complete."""
     try:
         array = np.asarray(values, dtype=float)
     except (TypeError, ValueError):
@@ -203,9 +207,17 @@ def _series(name, values, width=None, steps=None, runs=False):
             or len(array) != (steps or len(array)):
         wanted = f"({expected[0]}, {expected[1]})" + (f" or ({expected[0]}, {expected[1]}, runs)" if runs else "")
         raise ValueError(_shape_message(name, array.shape, wanted))
-    low, high = array.min(), array.max()        # NaN where there is one; else infinity shows here
-    if low == -np.inf or high == np.inf or (np.isnan(high) and (name == "u" or np.isinf(array).any())):
-        k = int(np.argwhere(~np.isfinite(array) if name == "u" else np.isinf(array))[0, 0])
+    return array
+
+
+def _is_complete(name, array):
+    """Is every number of z or u finite? ValueError if one is infinite, or if u holds NaN."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        if math.isfinite(np.add.reduce(array, axis=None)):          # one look at each; very large ones need another
+            return True
+    wrong = np.isinf(array) if name == "z" else ~np.isfinite(array)
+    if wrong.any():
+        k = int(np.argwhere(wrong)[0, 0])
         raise ValueError(f"{name}[{k}] is {array[k]}; expected finite numbers. / "
                          f"{name}[{k}] berisi {array[k]}; seharusnya bilangan berhingga.")
-    return array
+    return not np.isnan(array).any()
