@@ -7,6 +7,7 @@ cluster, in whatever order the blocks come back, and also if a worker dies and i
 import importlib
 import inspect
 import os
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
@@ -97,7 +98,8 @@ def monte_carlo(paper, params, runs, rng, executor=None, assumed=None, resume=No
     executor any concurrent.futures.Executor, also Client(...).get_executor() of Dask; None: in this process
     resume   an interrupted MonteCarlo of the same study, whose blocks are not computed again; rng is not used then
 
-    Ctrl+C (in Jupyter: interrupt the kernel) ends it early and gives what is finished; `complete` tells.
+    Ctrl+C (in Jupyter: interrupt the kernel) ends it early and gives what is finished; so does, with a warning, an
+    executor that breaks, as a ProcessPoolExecutor does when one of its processes dies. `complete` tells.
     """
     sizes = [min(BLOCK, runs - first) for first in range(0, runs, BLOCK)]
     seeds = _seeds(rng, len(sizes)) if resume is None else resume.seeds
@@ -196,6 +198,14 @@ def _work(tasks, executor, resume):
                     _hand_out(tasks, executor, done, bar, last)
         except KeyboardInterrupt:
             print(f"{len(done)} / {len(tasks)} (resume=...)")
+        except Exception as error:
+            from concurrent.futures import BrokenExecutor
+            if not (done and isinstance(error, BrokenExecutor)):
+                raise
+            warnings.warn(f"A process of the executor died, and with it the executor; {len(done)} of {len(tasks)} blocks are "
+                          "finished: go on with resume= and another executor. / Satu proses eksekutor mati, dan eksekutornya "
+                          f"ikut berakhir; {len(done)} dari {len(tasks)} blok selesai: lanjutkan dengan resume= dan eksekutor "
+                          "lain.", stacklevel=3)
     return done
 
 

@@ -139,6 +139,29 @@ def test_an_interrupted_map_is_NaN_where_nothing_is_finished():
     assert np.array_equal(mismatch_map(gyro, PARAMS, ASSUMED, 100, None, resume=part).rmse, table.rmse)
 
 
+def test_a_pool_that_loses_a_process_keeps_what_is_done():
+    alone, finished = monte_carlo(gyro, PARAMS, 40 * montecarlo.BLOCK, np.random.default_rng(1)), []
+    with ProcessPoolExecutor(2, multiprocessing.get_context("spawn")) as pool:
+        submit, processes = pool.submit, pool._processes
+
+        def watched(*arguments):
+            future = submit(*arguments)
+            future.add_done_callback(kill)
+            return future
+
+        def kill(future):
+            finished.append(future)
+            if len(finished) == 3:
+                os.kill(next(iter(processes)), signal.SIGKILL)
+
+        pool.submit = watched
+        with pytest.warns(UserWarning, match="resume=.* / Satu proses eksekutor mati"):
+            part = monte_carlo(gyro, PARAMS, 40 * montecarlo.BLOCK, np.random.default_rng(1), pool)
+    assert not part.complete and 3 <= len(part.blocks) < 40
+    whole = monte_carlo(gyro, PARAMS, 40 * montecarlo.BLOCK, None, resume=part)
+    assert whole.complete and same(alone, whole)
+
+
 def test_a_dask_cluster_that_loses_a_worker_gives_the_same_bits():
     """Two worker processes, of which one is killed while the study runs."""
     distributed = pytest.importorskip("distributed")
