@@ -11,6 +11,7 @@ import hashlib
 import json
 import multiprocessing
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -26,6 +27,10 @@ CACHE = BUILD / "cache"  # executed notebooks, common to both languages
 ZIP_NAMES = {"id": "filter-kalman", "en": "kalman-filter"}
 NOT_FOR_READERS = ("*.map", "*.ttf", "*.LICENSE.txt", "*webpack-macros.html", "fontawesome.js", ".buildinfo*", "reports",
                    "objects.inv", "fontawesome")
+
+# jsonschema, which every process here imports, would spend two seconds on a grammar of addresses that nobody checks
+WITHOUT_GRAMMAR = "import sys; sys.modules['rfc3987_syntax'] = None; "
+sys.modules["rfc3987_syntax"] = None
 
 sys.path.insert(0, str(ROOT / "book" / "_ext"))
 try:
@@ -54,6 +59,19 @@ def fingerprint(*paths):
             if file.is_file() and not {"node_modules", "vendor", "__pycache__", ".ipynb_checkpoints"} & set(relative.parts) \
                     and file.suffix != ".mo":
                 digest.update(relative.as_posix().encode() + b"\0" + file.read_bytes())
+    return digest.hexdigest()
+
+
+def frame():
+    """One number for all that may show on other pages than its own: whatever makes the pages, and the headings, references
+    and links in the texts. While it stays, a changed text changes its own page only."""
+    outlines = []
+    for path in sorted([*(ROOT / "book").glob("*.md"), *(ROOT / "notebooks").glob("*.ipynb")]):
+        text = path.read_text(encoding="utf-8")
+        outlines.append([path.name, re.findall(r'(?:^|")#+ [^"\n]*|\{[a-z:]+\}`[^`]*`|\]\([^)]*\)|^\([\w-]+\)=', text, re.MULTILINE)])
+    parts = [ROOT / "book" / name for name in ("_ext", "_locale", "_static", "_templates", "explorers", "references.bib", "build.py", "package-lock.json")]
+    digest = hashlib.sha256(json.dumps(outlines).encode())
+    digest.update(fingerprint(*parts, *(ROOT / name for name in ("_config.yml", "_toc.yml", "kalman_lib", "notebooks/data", "requirements.lock"))).encode())
     return digest.hexdigest()
 
 
@@ -114,12 +132,13 @@ def execute_notebooks():
             print(f"Ran {path.name} in {seconds:.0f} s", flush=True)
 
 
-def build_language(language):
-    """Run Jupyter Book; any warning is an error."""
+def build_language(language, again):
+    """Run Jupyter Book; any warning is an error. again: only the pages whose text has changed."""
     folder = BUILD / "work" / language
-    command = [sys.executable, "-c", "from jupyter_book.cli.main import main; main()", "build", str(ROOT), "--config", str(write_config(language, folder)),
-               "--toc", str(ROOT / "_toc.yml"), "--path-output", str(folder), "--all", "-n", "-W", "--keep-going"]
-    shutil.rmtree(folder / "_build" / "html", ignore_errors=True)  # no picture of an older build stays behind
+    command = [sys.executable, "-c", WITHOUT_GRAMMAR + "from jupyter_book.cli.main import main; main()", "build", str(ROOT), "--config", str(write_config(language, folder)),
+               "--toc", str(ROOT / "_toc.yml"), "--path-output", str(folder), *([] if again else ["--all"]), "-n", "-W", "--keep-going"]
+    if not again:
+        shutil.rmtree(folder / "_build", ignore_errors=True)
     built = subprocess.run(command, cwd=ROOT, env={**os.environ, "PYTHONUTF8": "1"}, stdout=subprocess.PIPE,
                            stderr=subprocess.STDOUT, encoding="utf-8")
     print(f"\n=== {languages.LANGUAGES[language]} ===\n{built.stdout}", flush=True)
@@ -128,12 +147,12 @@ def build_language(language):
     return folder / "_build" / "html"
 
 
-def build_languages():
+def build_languages(again):
     """Both languages side by side -> {language: folder of its pages}. What both need is made before."""
     offline.copy_vendor()
     cover.draw()
     with ThreadPoolExecutor() as pool:
-        return dict(zip(languages.LANGUAGES, pool.map(build_language, languages.LANGUAGES)))
+        return dict(zip(languages.LANGUAGES, pool.map(lambda language: build_language(language, again), languages.LANGUAGES)))
 
 
 def write_zip(language, path):
@@ -167,11 +186,20 @@ def write_offline_worker(language, folder, version):
     (folder / "offline-worker.js").write_text(script, encoding="utf-8")
 
 
+def remove_old_pictures(folder):
+    """No picture stays that an older build has left."""
+    shown = "".join(page.read_text(encoding="utf-8") for page in folder.rglob("*.html"))
+    for picture in (folder / "_images").glob("*"):
+        if picture.name not in shown:
+            picture.unlink()
+
+
 def assemble(outputs, version):
     """Put the finished pages of both languages into _build/site."""
     shutil.rmtree(SITE, ignore_errors=True)
     for language, output in outputs.items():
         shutil.copytree(output, SITE / language, ignore=shutil.ignore_patterns(*NOT_FOR_READERS))
+        remove_old_pictures(SITE / language)
         write_workbook(SITE / language / "kalman.xlsx")
         write_offline_worker(language, SITE / language, version)
         write_zip(language, SITE / language / f"{ZIP_NAMES[language]}.zip")
@@ -185,7 +213,7 @@ def main():
     offline.install()
     code = fingerprint(ROOT / "kalman_lib", ROOT / "notebooks" / "data", ROOT / "requirements.lock")
     everything = code + fingerprint(ROOT / "book", ROOT / "notebooks", ROOT / "_config.yml", ROOT / "_toc.yml")
-    code_mark, site_mark = CACHE / "made-with", BUILD / "built-from"
+    code_mark, site_mark, frame_mark = CACHE / "made-with", BUILD / "built-from", BUILD / "built-around"
     if (SITE / "index.html").exists() and not is_new(site_mark, everything):
         print("The book is up to date.")
     else:
@@ -194,8 +222,12 @@ def main():
             CACHE.mkdir(parents=True)
             code_mark.write_text(code)
         execute_notebooks()
-        assemble(build_languages(), everything)
+        around = frame()
+        again = not is_new(frame_mark, around)
+        frame_mark.unlink(missing_ok=True)      # until this build is done
+        assemble(build_languages(again), everything)
         site_mark.write_text(everything)
+        frame_mark.write_text(around)
         print(f"\nBuilt in {time.monotonic() - started:.0f} s.")
     print(f"Open {SITE / 'index.html'}")
 

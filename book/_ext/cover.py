@@ -1,13 +1,21 @@
 """Draws the picture of the cover from a real run of the filter, so that it is computed, not painted."""
+from pathlib import Path
+
 import numpy as np
 
 import offline
 
 FILE = offline.VENDOR / "cover.png"
+SOURCES = [Path(__file__), *(offline.BOOK.parent / "kalman_lib").rglob("*.py")]
 
 
 def draw(app=None):
-    """A synthetic wave, measured with noise and tracked by a filter that knows position and velocity only."""
+    """A synthetic wave, measured with noise and tracked by a filter that knows position and velocity only.
+
+    Only when a file that has a say in it is newer than the picture.
+    """
+    if FILE.exists() and FILE.stat().st_mtime > max(path.stat().st_mtime for path in SOURCES):
+        return
     from kalman_lib import LinearModel, kalman_filter, plots
 
     rng = np.random.default_rng(1960)
