@@ -206,7 +206,7 @@ def _filter_one(s):
     if found is None:
         found = [_filter_number(part) if part.F.shape == part.H.shape == (1, 1) else
                  _step_by_step(part) if varies else _filter_states(part) for _, part in parts]
-    steps = max(len(P) for _, P in found)
+    steps = len(s.z) if varies else max(len(P) for _, P in found)
     x = found[0][0] if len(parts) == 1 else np.empty((len(s.z), len(s.x0)))
     if len(parts) > 1:
         for (states, _), (x_part, _) in zip(parts, found):
@@ -215,7 +215,8 @@ def _filter_one(s):
 
 
 def _together(s, parts, covariances):
-    """P (steps, n, n) from those of the parts, each (k, ...)."""
+    """P (steps, n, n) from those of the parts, each (k, ...) or a function that gives it."""
+    covariances = [P() if callable(P) else P for P in covariances]
     if len(parts) == 1:
         return covariances[0]
     steps = max(map(len, covariances))
@@ -490,7 +491,8 @@ def scan(A, d, x):
 
 
 def in_blocks(s, parts):
-    """Where R changes in time or measurements are missing: [(x (T, n), P (T, n, n)) of each part], or None: not exact.
+    """Where R changes in time or measurements are missing: [(x (T, n), a function that gives P (T, n, n)) of each part],
+    or None: not exact.
 
     As in `scan` the blocks run side by side as soon as their starts are known. A first round finds these: it filters
     every block as if its start were known exactly (x = 0, P = 0), which ends at b with covariance C, and carries along
@@ -502,7 +504,7 @@ def in_blocks(s, parts):
     if len({part.F.shape for part in parts}) > 1 or {len(part.H) for part in parts} != {1}:
         return None
     T, n = len(s.z), len(parts[0].x0)
-    length = max(64, math.isqrt(T))
+    length = max(64, 2 * math.isqrt(T) // 3)
     blocks = -(-T // length)
 
     def lanes(arrays):                          # of each part (T, w) -> (length, w, parts * blocks)
@@ -566,14 +568,17 @@ def in_blocks(s, parts):
     for end, start in zip(ends, (x_start, np.array([P_start[i, j] for i, j in upper]))):
         if not (np.abs(end - start) <= 1e-13 * np.abs(start).max(axis=1, keepdims=True))[:, ~first].all():
             return None                         # rounding (a huge J beside a huge P): then one step after the other
+
+    def dense(part):                            # P (T, n, n) of a part, when it is asked for
+        flat, P = P_all[:, :, part].transpose(2, 0, 1).reshape(blocks * length, -1)[:T], np.empty((T, n, n))
+        for q, (i, j) in enumerate(upper):
+            P[:, i, j] = P[:, j, i] = flat[:, q]
+        return P
     found = []
     for p in range(len(parts)):
         part = slice(p * blocks, (p + 1) * blocks)
         x = x_all[:, :, part].transpose(2, 0, 1).reshape(blocks * length, n)[:T]
-        flat, P = P_all[:, :, part].transpose(2, 0, 1).reshape(blocks * length, -1)[:T], np.empty((T, n, n))
-        for q, (i, j) in enumerate(upper):
-            P[:, i, j] = P[:, j, i] = flat[:, q]
-        found.append((x, P))
+        found.append((x, functools.partial(dense, part)))
     return found
 
 
