@@ -27,6 +27,7 @@ SHORT = 50              # steps: the loop itself is quick enough
 LONG = 2000             # steps: from here on in blocks side by side
 CHUNK = 64              # steps whose covariances are found at once
 MANY = 8                # steps of many runs that one product of matrices does
+SLOW = 0.99             # a filter that keeps more of an error changes little from step to step
 RUNS = 16_384           # so many of them at once: they fit into the processor's cache
 STEADY = 0.9995         # a filter that keeps more than this of an error from step to step is not cut into blocks
 
@@ -264,10 +265,10 @@ def _filter_number(s):
     P = _variances(s)
     K = P[:, 0, 0] * (H / float(s.R[0, 0]))     # K = P H / R
     k = T if T - len(K) < LONG or abs(F * (1 - K[-1] * H)) > STEADY else len(K)
-    K_k = _repeat_last(K, k)
-    keep = 1 - K_k * H                          # x = (1 - K H) (F x + B u) + K z
-    b = K_k * s.z[:k, 0] if s.drive is None else K_k * s.z[:k, 0] + keep * s.drive[:k, 0]
-    states = np.array([x := a_k * x + b_k for a_k, b_k in zip(_floats(F * keep), _floats(b))])[:, np.newaxis]
+    drive = repeat(0.0) if s.drive is None else _floats(s.drive[:k, 0])
+    states = [x := (x_pred := F * x + drive_k) + K_k * (z_k - H * x_pred)
+              for z_k, drive_k, K_k in zip(_floats(s.z[:k, 0]), drive, _floats(_repeat_last(K, k)))]
+    states = np.array(states)[:, np.newaxis]
     return states if k == T else _settled(s, states, K[-1:, np.newaxis]), P
 
 
@@ -288,13 +289,10 @@ def _filter_states(s):
     if P is None:
         return _step_by_step(s)
     T, gains = len(s.z), _Gains(s, len(P), P)
-    K = gains.K
-    A, k = (np.eye(len(s.x0)) - K @ s.H) @ s.F, T if T - len(K) < LONG else len(K)
-    x, drive = np.empty((k, len(s.x0))), None
-    if s.drive is not None:
-        drive = s.drive[:k] - (_repeat_last(K, T)[:k] @ (s.drive[:k] @ s.H.T)[:, :, np.newaxis])[:, :, 0]
-    _steps(A, K, s.z[:k, :, np.newaxis], drive, s.x0[:, np.newaxis], x[:, :, np.newaxis])
-    return x if k == T else _settled(s, x, K[-1]), P
+    k = T if T - gains.steps < LONG else gains.steps
+    x = np.empty((k, len(s.x0)))
+    _filter_steps(s, gains.K, s.z[:k, :, np.newaxis], x[:, :, np.newaxis])
+    return x if k == T else _settled(s, x, gains.K[-1]), P
 
 
 def _covariances(s):
@@ -600,20 +598,33 @@ def _filter_runs(model, z, u):
             P = (_variances if part.F.shape == part.H.shape == (1, 1) else _covariances)(part)
             found.append(_step_by_step(part)[1] if P is None else P)
         P = _together(s, parts, found)
-    gains = _Gains(s, len(P), P)
-    K = gains.K
-    I_KH = np.eye(len(s.x0)) - K @ s.H
-    drive = None if s.drive is None else (_repeat_last(I_KH, T) @ s.drive[:, :, np.newaxis])[:, :, 0]
-    x = np.empty((T, len(s.x0), runs))
-    _steps(I_KH @ s.F, K, z, drive, s.x0[:, np.newaxis], x)
+    gains, x = _Gains(s, len(P), P), np.empty((T, len(s.x0), runs))
+    _filter_steps(s, gains.K, z, x)
     return _result(s, x, gains)
 
 
+def _filter_steps(s, K, z, x):
+    """With known gains x = x_pred + K (z - H x_pred), for all runs z (T, m, runs), into x (T, n, runs).
+
+    With x_pred = F x + B u that is, sorted by what changes, (I - K H) F x + K z + (I - K H) B u.
+    """
+    I_KH, drive = np.eye(len(s.x0)) - K @ s.H, None
+    if s.drive is not None:
+        drive = (_repeat_last(I_KH, len(x)) @ s.drive[:len(x), :, np.newaxis])[:, :, 0]
+    A = I_KH @ s.F
+    if _radius(A[-1]) > SLOW:                   # what a step changes, without the digits that 1 - K loses of a small K
+        A = s.F - np.eye(len(s.x0)) - K @ (s.H @ s.F)
+        _steps(A, K, z, drive, s.x0[:, np.newaxis], x, changes=True)
+    else:
+        _steps(A, K, z, drive, s.x0[:, np.newaxis], x)
+
+
 @np.errstate(over="ignore", invalid="ignore")   # kalman_filter looks at the end
-def _steps(A, K, z, drive, start, x, backwards=False):
+def _steps(A, K, z, drive, start, x, backwards=False, changes=False):
     """x_k = A_k x_{k-1} + K_k z_k + drive_k for all runs, into x (T, n, runs); z (T, m, runs), drive (T, n) or None,
     start (n, runs) or (n, 1). A (k, n, n) and K (k, n, m): at later steps they are the last one. Backwards:
-    x_k = A_k x_{k+1} + K_k z_k + drive_k, from the last step to the first.
+    x_k = A_k x_{k+1} + K_k z_k + drive_k, from the last step to the first. With changes=True A is what a step adds,
+    x_k = x_{k-1} + A_k x_{k-1} + ...
 
     Many multiplications by a number read and write all runs again and again. One product of matrices does it for MANY
     steps: the states after each of them are M [x; z of the first; z of the second; ...; 1].
@@ -623,10 +634,10 @@ def _steps(A, K, z, drive, start, x, backwards=False):
     distinct = min(blocks, -(-len(A) // many) + 1)
     A, K = (M[np.minimum(np.arange(distinct * many), len(M) - 1)].reshape(distinct, many, *M.shape[1:]) for M in (A, K))
     last = T - (blocks - 1) * many              # steps of the last block
-    whole, rest = _products(A, K, backwards), _products(A[-1:, :last], K[-1:, :last], backwards)[0]
+    whole, rest = _products(A, K, backwards, changes), _products(A[-1:, :last], K[-1:, :last], backwards, changes)[0]
     if drive is not None:
         padded = np.concatenate([drive, np.zeros((blocks * many - T, n))]).reshape(blocks, many, n)
-        owed = _owed(A, padded, backwards)
+        owed = _owed(A + np.eye(n) if changes else A, padded, backwards)
     for part in (slice(first, first + RUNS) for first in range(0, runs, RUNS)):
         before = np.broadcast_to(start, (n, runs))[:, part]
         W = np.empty((n + many * m + 1, before.shape[1]))
@@ -639,18 +650,25 @@ def _steps(A, K, z, drive, start, x, backwards=False):
             else:
                 M[:, -1], W_i[-1] = owed[i, :steps].ravel(), 1
             block = np.dot(M, W_i, out=x[k].reshape(-1, runs) if runs <= RUNS else None)
+            if changes:
+                block.reshape(steps, n, -1)[:] += before
             if runs > RUNS:
                 x[k, :, part] = block.reshape(steps, n, -1)
             before = block[:n] if backwards else block[-n:]
 
 
-def _products(A, K, backwards):
+def _products(A, K, backwards, changes):
     """M of `_steps` for every block: A (blocks, many, n, n), K (blocks, many, n, m) -> (blocks, many n, n + many m + 1)."""
     (blocks, many, n, m), order = K.shape, range(K.shape[1])
     M, row = np.empty((blocks, many, n, n + many * m + 1)), np.zeros((blocks, n, n + many * m + 1))
-    row[:, :, :n] = np.eye(n)
+    if not changes:
+        row[:, :, :n] = np.eye(n)
     for j in reversed(order) if backwards else order:
-        row = A[:, j] @ row
+        if changes:
+            row += A[:, j] @ row
+            row[:, :, :n] += A[:, j]
+        else:
+            row = A[:, j] @ row
         row[:, :, n + j * m:n + (j + 1) * m] = K[:, j]
         M[:, j] = row
     return M.reshape(blocks, many * n, -1)

@@ -82,6 +82,47 @@ class Axes:
         self._see([x], [])
         self._add(zorder, label, look, lambda X, Y: f'<path d="M{X(x):.1f} 0V999" {_stroke(look)}/>')
 
+    def contourf(self, x, y, values, levels, alpha=1, **_):
+        """Cells around the places x (w,), y (h,), the darker the more levels their value (h, w) has passed."""
+        def edges(places):
+            middles = (places[1:] + places[:-1]) / 2
+            return np.concatenate([[2 * places[0] - middles[0]], middles, [2 * places[-1] - middles[-1]]])
+        steps, x, y = np.searchsorted(levels, values, side="right") - 1, edges(np.asarray(x)), edges(np.asarray(y))
+        self._see(x, y)
+
+        def draw(X, Y):
+            left, top, paths = np.round(X(x)).astype(int).tolist(), np.round(Y(y)).astype(int).tolist(), {}
+            for j, row in enumerate(steps.tolist()):
+                start = 0
+                for i, step in enumerate(row):
+                    if i + 1 == len(row) or row[i + 1] != step:         # one rectangle for equal neighbours
+                        paths.setdefault(step, []).append(f"M{left[start]} {top[j]}H{left[i + 1]}V{top[j + 1]}H{left[start]}")
+                        start = i + 1
+            return "".join(f'<path d="{"".join(path)}" fill="#1f6fb4" fill-opacity="{alpha * step / (len(levels) - 2):.3f}"/>'
+                           for step, path in sorted(paths.items()) if step)
+        self._add(0, None, {}, draw)
+
+    def contour(self, x, y, values, levels, **_):
+        return x, y, values, levels
+
+    def clabel(self, lines, fmt="%g", **_):
+        """The number of every level where it crosses one of the two diagonals."""
+        x, y, values, levels = lines
+        i, words = np.arange(min(len(x), len(y))), fmt if callable(fmt) else lambda level: fmt % level
+        for j in (i, i[::-1]):
+            last = -9.0
+            for level in levels:
+                above = values[j, i] > level
+                for k in np.flatnonzero(above[1:] != above[:-1]):
+                    a, b = values[j[k], i[k]], values[j[k + 1], i[k + 1]]
+                    place = k + (level - a) / (b - a)
+                    if abs(place - last) > len(i) / 13:                 # no number upon another
+                        self.text(np.interp(place, i, x[i]), np.interp(place, i, y[j]), words(level), ha="center")
+                        last = place
+
+    def grid(self, *_):
+        pass
+
     def text(self, x, y, words, ha="left", **_):
         anchor = {"left": "start", "center": "middle", "right": "end"}[ha]
         self._add(5, None, {}, lambda X, Y: (

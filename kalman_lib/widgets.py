@@ -60,6 +60,12 @@ def gyro(p=None):
     show(board.view, "gyro", plots.panels(board.rows, xlabel="$t$ (s)", height=1.9))
 
 
+def gyro_mismatch(p=None):
+    """Chapter 3: what it costs when the filter believes the wrong sigmas. p is a gyro.Params, the truth, or None."""
+    board = GyroMismatch(p)
+    show(board.view, "gyro", board.figure(), view="mismatch")
+
+
 def beetle(p=None):
     """Chapter 5: the beetle's R, time step, and true and believed direction and speed. p is a beetle.Params or None."""
     board = Beetle(p)
@@ -907,6 +913,111 @@ class GyroFlight(Board):
         self.table.value = _table(["", self.say("first"), self.say("last")],
                                   [f"<th scope='row'>{name}</th><td>{_short(values[0])}</td><td>{_short(values[-1])}</td>"
                                    for name, values in rows.items()])
+
+
+class GyroMismatch(Board):
+    """What a wrong sigma costs: RMSE and NEES of every pair that the filter may believe, and one pair against 500 runs."""
+    words = {
+        "noise": GyroFlight.words["noise"],
+        "truth": {"id": "Filter percaya yang benar", "en": "Let the filter believe the truth"},
+        "cost": {"id": "RMSE dibagi yang terbaik: \u03c3_w mendatar, \u03c3_v tegak (log\u2081\u2080)",
+                 "en": "RMSE divided by the best: \u03c3_w across, \u03c3_v upwards (log\u2081\u2080)"},
+        "nees": {"id": "NEES: \u03c3_w mendatar, \u03c3_v tegak (log\u2081\u2080)",
+                 "en": "NEES: \u03c3_w across, \u03c3_v upwards (log\u2081\u2080)"},
+        "outcome": {"id": "Filter percaya \u03c3_w = {w} rad/s dan \u03c3_v = {v} rad, padahal yang benar {true_w} dan {true_v}. RMSE-nya "
+                          "{rmse} rad, {cost} kali yang terbaik ({best} rad), dan NEES-nya {nees}: {word}. Dari {runs} percobaan "
+                          "sintetis (benih acak {seed}): RMSE {all} rad, NEES {mean}.",
+                    "en": "The filter believes \u03c3_w = {w} rad/s and \u03c3_v = {v} rad; the truth is {true_w} and {true_v}. Its RMSE is "
+                          "{rmse} rad, {cost} times the best ({best} rad), and its NEES {nees}: {word}. From {runs} synthetic "
+                          "runs (random seed {seed}): RMSE {all} rad, NEES {mean}."},
+        "sure": {"id": "terlalu yakin", "en": "too sure"},
+        "doubtful": {"id": "terlalu ragu", "en": "too doubtful"},
+        "honest": {"id": "P-nya jujur", "en": "its P is honest"},
+    }
+    RUNS, LEVELS = 500, {"cost": (1.1, 1.3, 1.6, 2, 2.5, 3), "nees": (0.03, 0.1, 0.3, 1, 3, 10, 30)}
+    TIMES = {"min": 0.1, "max": 10, "id": "\u03c3_{} menurut filter dibagi yang benar", "en": "\u03c3_{} as the filter believes it, over the true one"}
+
+    def __init__(self, p=None):
+        super().__init__()
+        self.p, self.seed, self.flights = p or gyro_paper.Params(), SEED, {}
+        rows = []
+        for letter in "wv":
+            meta = {key: words.format(letter) if isinstance(words, str) else words for key, words in self.TIMES.items()}
+            text, row = self.log_field(f"c_{letter}", meta, 1)
+            setattr(self, f"times_{letter}", text)
+            rows.append(row)
+        for letter in "wv":
+            name = f"sigma_{letter}"
+            meta = describe(gyro_paper.Params)[name]
+            meta = {**meta, **{key: f"{meta[key]} ({meta['unit']})" for key in ("id", "en")}}
+            text, row = self.log_field(f"\u03c3_{letter}", meta, getattr(self.p, name))
+            setattr(self, name, text)
+            rows.append(row)
+        self.noise, self.truth = (_wide(self.label(widgets.Button(), key)) for key in ("noise", "truth"))
+        self.sentence = widgets.HTML(layout=widgets.Layout(width="98%", min_height="4.5em"))
+        self.maps = {"cost": Screen(), "nees": Screen()}
+        self.view = widgets.VBox([
+            self.language, _row(*rows), _row(self.noise, self.truth), self.message, self.sentence,
+            _row(*(widgets.VBox([self.label(widgets.Label(), name, "value"), screen], layout=widgets.Layout(flex="1 1 300px"))
+                   for name, screen in self.maps.items())),
+        ], layout=widgets.Layout(width="98%"))
+        for part in (self.times_w, self.times_v, self.sigma_w, self.sigma_v):
+            self.on(part, self.calculate)
+        self.on(self.noise, self.renew)
+        self.on(self.truth, self.believe)
+        self.calculate()
+
+    def renew(self):
+        """The same settings with other random numbers."""
+        self.seed += 1
+        self.calculate()
+
+    def believe(self):
+        self.quiet, self.times_w.value, self.times_v.value, self.quiet = True, "1", "1", False
+        self.calculate()
+
+    def calculate(self):
+        """Both maps, without data, and the chosen pair from 500 runs; nothing changes before all of it is known."""
+        p = replace(self.p, sigma_w=number(self.sigma_w.value), sigma_v=number(self.sigma_v.value))
+        times = [number(part.value) for part in (self.times_w, self.times_v)]
+        for value in times:
+            if not 0.1 <= value <= 10:
+                raise InputError(f"{value:g}: accepted are 0.1 to 10.", f"{value:g}: yang diterima 0,1 sampai 10.")
+        w, v = times[0] * p.sigma_w, times[1] * p.sigma_v
+        grid = 10 ** np.linspace(-1, 1, 31)
+        table = gyro_paper.expected(p, grid * p.sigma_w, grid[:, np.newaxis] * p.sigma_v)
+        if self.flights.get("key") != (p, self.seed):
+            self.flights = {"key": (p, self.seed), "all": gyro_paper.simulate(p, np.random.default_rng(self.seed), self.RUNS)}
+        flight = self.flights["all"]
+        told = kalman_filter(replace(gyro_paper.model(p), Q=(w * p.T) ** 2, R=v ** 2), flight.z, flight.u)
+        squares = np.mean((flight.x - told.x)[:, 0] ** 2, axis=1)
+        self.result = dict(p=p, w=w, v=v, best=table[0][15, 15], wrong=gyro_paper.expected(p, w, v), seed=self.seed,
+                           all=np.sqrt(squares.mean()), mean=np.mean(squares / told.P[:, 0, 0]))
+        self.tables = {"cost": table[0] / table[0][15, 15], "nees": table[1]}
+        for name, screen in self.maps.items():
+            screen.draw(lambda: self.figure(name, height=3.0))
+        self.redraw()
+
+    def figure(self, name="cost", height=3.4):
+        """One map; the truth and what the filter believes are marked."""
+        p, powers = self.result["p"], np.linspace(-1, 1, 31)
+        marks = {r"$\sigma$": (p.sigma_w, p.sigma_v), r"$c\,\sigma$": (self.result["w"], self.result["v"])}
+        log = name == "nees"
+        return plots.contours(powers + np.log10(p.sigma_w), powers + np.log10(p.sigma_v), np.log10(self.tables[name]) if log else self.tables[name],
+                              r"$\log_{10} \sigma_w$", r"$\log_{10} \sigma_v$", np.log10(self.LEVELS[name]) if log else self.LEVELS[name],
+                              {label: np.log10(at) for label, at in marks.items()}, height=height,
+                              fmt=(lambda power: f"{round(10 ** power, 2):g}") if log else "%g")
+
+    def redraw(self):
+        """Write the outcome in the current language."""
+        r = self.result
+        rmse, nees = r["wrong"]
+        numbers = dict(w=r["w"], v=r["v"], true_w=r["p"].sigma_w, true_v=r["p"].sigma_v, rmse=rmse, cost=rmse / r["best"],
+                       best=r["best"], nees=nees, all=r["all"], mean=r["mean"])
+        word = self.say("sure" if nees > 1.1 else "doubtful" if nees < 0.9 else "honest")
+        self.sentence.value = '<p role="status" style="line-height:1.5">' + self.say(
+            "outcome", word=word, runs=self.RUNS, seed=r["seed"],
+            **{name: self.decimal(value, 3) for name, value in numbers.items()}) + "</p>"
 
 
 # --- chapter 5 -------------------------------------------------------------------------------------------------------

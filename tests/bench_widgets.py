@@ -31,6 +31,7 @@ WIDGETS = {     # chapter -> what makes the board, the part that is moved, its v
     "1 theory": ("widgets.TheorySteps()", "board.moment", [1, 2, 3, 4]),
     "2 smoother": ("widgets.SmootherForm()", "board.R", ["1e-5", "1e-4", "1e-3"]),
     "3 gyro": ("widgets.GyroFlight()", "board.sigma_v", ["2", "3", "5", "7"]),
+    "3 its map": ("widgets.GyroMismatch()", "board.sigma_w", ["2", "5", "20", "50"]),
     "4 ship": ("widgets.ShipRun()", "board.R", ["0.01", "0.02", "0.1"]),
     "5 beetle": ("widgets.Beetle()", "board.R", ["0.05", "0.08", "0.1"]),
     "6 quadrotor": ("widgets.Quadrotor()", "board.m", ["0.16", "1", "10"]),

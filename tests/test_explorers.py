@@ -745,6 +745,19 @@ def test_beetle_with_the_bearing_as_in_python(bundle):
             assert not close(answer[name], np.reshape(theirs, (-1, np.size(answer[name]) // 40)), np.size(answer[name]) // 40, 1e-11), (name, p)
 
 
+@pytest.mark.parametrize("width", [640, 320])
+def test_zoomed_in_nothing_is_cut_off(width, site, opened):
+    """A window of 1280 pixels zoomed to 200 % and to 400 % leaves the page 640 and 320 of them."""
+    for name, page, trouble, element in explorers(site, opened, viewport={"width": width, "height": 450}, device_scale_factor=1280 / width):
+        wide = element.evaluate("""e => [...e.querySelectorAll('.explorer *')].filter(part => part.offsetParent && part.getBoundingClientRect().right > innerWidth + 1
+          && !part.closest('.explorer-equations, .explorer-table')).map(part => part.className || part.tagName)""")
+        assert wide == [] and page.evaluate("document.documentElement.scrollWidth <= innerWidth"), name
+        for part in element.locator("button:visible, input[type=range]:visible, select:visible").all()[:6]:
+            part.scroll_into_view_if_needed()
+            box = part.bounding_box()
+            assert box["x"] >= 0 and box["x"] + box["width"] <= width and box["height"] >= 43.9, name
+
+
 @pytest.mark.parametrize("motion", ["reduce", "no-preference"])
 def test_beetle_walks_only_for_who_wants_motion(motion, site, opened):
     page, element = explorer_of("beetle", site, opened, reduced_motion=motion)
@@ -772,6 +785,27 @@ def test_beetle_what_the_distance_cannot_show_and_the_bearing_can(site, opened):
         left[bearing] = element.evaluate("e => [e.explorer.r.theta.share.at(-1), e.explorer.r.s.share.at(-1)]")
         assert ("The distance shows only s" in element.locator(".explorer-outcome").inner_text()) != bearing
     assert left[False][0] > 0.4 and left[False][1] < 0.1 and left[True][0] < 0.1
+    element.evaluate("e => e.explorer.reset()")
+
+
+@pytest.mark.parametrize("changes", [{}, {"sigma_w": 0.3, "sigma_v": 2.0, "T": 0.02, "duration": 5.0}])
+def test_gyro_the_map_of_a_wrong_sigma_is_pythons(changes, site, opened):
+    """Every cell of both maps; the chosen pair; and 500 runs of the page stay near it."""
+    from kalman_lib.papers import gyro
+    page, _ = explorer_of("gyro", site, opened, "en")
+    element = page.locator("kalman-explorer[view=mismatch]")
+    set_state(element, **changes, times_w=3, times_v=0.25)
+    page.wait_for_function("e => e.explorer.r.runs.count === 500 && !e.explorer.work", arg=element.element_handle())
+    shown(element)
+    ours = element.evaluate("""e => { const { cost, nees, best, wrong, runs } = e.explorer.r, places = [...Array(31).keys()].map(i => i - 15);
+      return { best, wrong, runs: runs.count, cost: places.map(j => places.map(i => cost(i, j))), nees: places.map(j => places.map(i => nees(i, j))) }; }""")
+    p, times = gyro.Params(**changes), 10 ** (np.arange(-15, 16) / 15)
+    rmse_, nees_ = gyro.expected(p, times * p.sigma_w, times[:, np.newaxis] * p.sigma_v)
+    assert np.allclose(np.array(ours["cost"]) * ours["best"], rmse_, rtol=RELATIVE) and np.allclose(ours["nees"], nees_, rtol=RELATIVE)
+    wrong = gyro.expected(p, 3 * p.sigma_w, 0.25 * p.sigma_v)
+    assert ours["wrong"] == pytest.approx(wrong, rel=RELATIVE) and ours["runs"] == 500
+    said = [float(word) for word in re.findall(r"runs.*RMSE ([\d.]+) rad, NEES ([\d.]+)\.$", element.locator(".explorer-outcome").inner_text())[0]]
+    assert said == [pytest.approx(expected, rel=0.03) for expected in wrong]
     element.evaluate("e => e.explorer.reset()")
 
 

@@ -220,6 +220,22 @@ def test_extended_filter_of_many_runs():
         fast.kalman_filter(model, z)
 
 
+@pytest.mark.parametrize("K", [3e-7, 1e-6, 3e-6])
+def test_a_slow_filter_far_from_zero_keeps_all_digits(K):
+    """1 - K has lost digits of so small a K, and 100,000 steps would add up what is missing."""
+    rng, Q = np.random.default_rng(8), K ** 2 / (1 - K)
+    model = LinearModel(F=1, H=1, Q=Q, R=1, x0=1e6, P0=K, B=1)
+    z, u = 1e6 + rng.normal(size=(100_000, 1, 2)), 1e-6 * rng.normal(size=100_000)
+    together = fast.kalman_filter(model, z, u)
+    for run in range(2):
+        x = 1e6
+        for k in range(100_000):                # K is the same in every step
+            x += u[k]
+            x += K * (z[k, 0, run] - x)
+        assert together.K[-1, 0, 0] == pytest.approx(K, rel=1e-9) and abs(together.x[-1, 0, run] - x) < 1e-12 * x
+        assert abs(fast.kalman_filter(model, z[..., run], u).x[-1, 0] - x) < 1e-12 * x
+
+
 # --- the same contract -----------------------------------------------------------------------------------------------
 
 def test_the_same_errors_as_the_loop():

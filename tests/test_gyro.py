@@ -164,6 +164,33 @@ def test_only_the_ratio_moves_the_estimate_and_only_NEES_sees_the_scale():
     assert nees(flight.x, small.x, small.P) == pytest.approx(100 * nees(flight.x, true.x, true.P))
 
 
+@pytest.mark.parametrize("w, v", [(1, 1), (0.1, 1), (10, 1), (1, 0.1), (1, 10), (3, 0.2)])
+@pytest.mark.parametrize("figure", PAPER)
+def test_what_a_wrong_sigma_costs_is_known_without_data(figure, w, v):
+    """Against RMSE and NEES of 20,000 runs that the wrong filter really filters; a run's 200 squares stick together."""
+    p = case(figure)
+    told = replace(p, sigma_w=w * p.sigma_w, sigma_v=v * p.sigma_v)
+    flight = fly(p, seed=8, runs=RUNS)[0]
+    result = kalman_filter(gyro.model(told), flight.z, flight.u)
+    e2, ours = (flight.x - result.x)[:, 0] ** 2, gyro.expected(p, told.sigma_w, told.sigma_v)
+    for expected, of_runs in ((ours[0] ** 2, e2.mean(axis=0)), (ours[1], (e2 / result.P[:, 0]).mean(axis=0))):
+        assert abs(expected - of_runs.mean()) < 4.5 * of_runs.std() / np.sqrt(RUNS)
+    if w == v == 1:
+        assert ours[1] == pytest.approx(1, rel=1e-12)           # an honest P
+
+
+def test_a_whole_map_at_once_and_its_two_laws():
+    """c times both sigmas: the same RMSE, NEES / c^2; after a long time the RMSE is that of the settled gain."""
+    p = case(4)
+    rmse_, nees_ = gyro.expected(p, 10 * np.ones((3, 1)), np.array([[1, 10, 100.0]]))
+    assert rmse_.shape == nees_.shape == (3, 3) and rmse_[0, 1] == pytest.approx(gyro.expected(p, 10, 10)[0])
+    for c in (0.1, 3, 1e3):
+        one, other = gyro.expected(p, 2, 30), gyro.expected(p, 2 * c, 30 * c)
+        assert other == (pytest.approx(one[0], rel=1e-12), pytest.approx(one[1] / c ** 2, rel=1e-12))
+    long, told = replace(p, duration=60, T=0.01), replace(p, T=0.01, sigma_w=100, sigma_v=2)
+    assert gyro.expected(long, 100, 2)[0] == pytest.approx(gyro.error_with_gain(long, gyro.steady(told)[0]), rel=1e-3)
+
+
 @pytest.mark.parametrize("figure", PAPER)
 def test_nees_and_nis_lie_in_their_bounds(figure):
     """Averaged over 20,000 independent runs, at the first, tenth and last step."""

@@ -20,7 +20,7 @@ from kalman_lib.papers import smoother
 
 CELLS = ["from kalman_lib import widgets", "widgets.theory_steps()", "widgets.smoother_form()",
          "widgets.smoother_online()", "widgets.gyro()", "widgets.beetle()",
-         "widgets.ship()", "widgets.quadrotor()"]
+         "widgets.ship()", "widgets.quadrotor()", "widgets.gyro_mismatch()"]
 PATIENCE = 60_000           # ms; every wait ends as soon as its condition holds
 
 
@@ -208,9 +208,10 @@ def test_one_measurement_at_a_time(page):
 
 @pytest.mark.parametrize("place, says, buttons", [
     (3, "Galat pengukuran terbesar", ["Derau baru", "Kasus 7"]), (4, "Sesudah 20 s", ["Derau baru", "0.001"]),
-    (5, "RMSE: pengukuran", ["Derau baru"]), (6, "RMSE terhadap", ["Derau baru"])])
+    (5, "RMSE: pengukuran", ["Derau baru"]), (6, "RMSE terhadap", ["Derau baru"]),
+    (7, "Filter percaya \u03c3_w", ["Derau baru"])])
 def test_a_button_changes_the_outcome(page, place, says, buttons):
-    """Chapters 3, 5, 4 and 6: the sentence tells another outcome after "new noise", another case, another R of the paper."""
+    """Chapters 3, 5, 4, 6 and 3's map: the sentence tells another outcome after "new noise", another case, another R of the paper."""
     output = page.locator(".jp-OutputArea-output").nth(place)
     for button in buttons:
         before = output.get_by_text(says).first.inner_text()

@@ -17,6 +17,8 @@ FIGURES = {
                                  points={"<a&b>": (10, 100)}, ylim=(0, None)),
     "gaussians": lambda: plots.gaussians({"$z$": (1.0, 0.5, plots.MEASUREMENT), "$x_1$": (2.0, 0.1, plots.ESTIMATE)}),
     "ellipses": lambda: plots.ellipses({"$x_0$": (np.array([0, 5]), np.diag([0.01, 1]), plots.PREDICTION)}, z=2.2, R=0.05),
+    "contours": lambda: plots.contours(T[:30] / 10.0, T[:30] / 10.0, np.add.outer(T[:30], 2.0 * T[:30]), r"$\sigma_w$", r"$\sigma_v$",
+                                       (20, 50, 80), {r"$c\,\sigma$": (2, 1)}),
     "poles": lambda: plots.poles({"$p$": np.array([0.5 + 0.5j, 0.9])}),
     "craft": lambda: plots.craft({"0 s": ((0.1, -0.2, 1.0), (0, 0, 1.0))}),
 }
@@ -35,7 +37,7 @@ def test_every_figure_of_a_widget_is_well_formed_svg_without_nan(name):
     assert isinstance(FIGURES[name](), plots.Figure)        # outside the block: matplotlib as ever
 
 
-@pytest.mark.parametrize("name", ["series", "curve", "gaussians", "ellipses"])
+@pytest.mark.parametrize("name", ["series", "curve", "contours", "gaussians", "ellipses"])
 def test_the_legend_and_the_axes_say_what_matplotlib_says(name):
     words = re.sub(r"\s|\u200b|\u2009", "", "".join(ET.fromstring(sketch(name).svg()).itertext()))
     ax = FIGURES[name]().axes[0]
@@ -45,6 +47,20 @@ def test_the_legend_and_the_axes_say_what_matplotlib_says(name):
         plain = re.sub(r"\\mathrm|\\,|[${}_\s]", "", label.replace(r"\sqrt", "√").replace(r"\pm", "±")
                        .replace(r"\sigma", "σ").replace(r"\theta", "θ"))
         assert plain in words, label
+
+
+def test_a_map_is_dark_where_its_values_are_large_and_numbers_its_levels():
+    values = np.add.outer(T[:30], 2.0 * T[:30])                         # 3 ... 90: 20, 50 and 80 are passed on the diagonal
+    svg = sketch("contours").svg()
+    areas = {}
+    for path, opacity in re.findall(r'<path d="([^"]+)" fill="#1f6fb4" fill-opacity="([\d.]+)"', svg):
+        rectangles = re.findall(r"M(-?\d+) (-?\d+)H(-?\d+)V(-?\d+)H", path)
+        areas[float(opacity)] = sum(abs((int(c) - int(a)) * (int(d) - int(b))) for a, b, c, d in rectangles)
+    share = np.array([areas[key] for key in sorted(areas)]) / sum(areas.values())
+    cells = [((values >= low) & (values < high)).sum() for low, high in ((20, 50), (50, 80), (80, 999))]
+    assert share == pytest.approx(np.array(cells) / sum(cells), abs=0.02)
+    for level in ("20", "50", "80"):
+        assert f">{level}</text>" in svg
 
 
 def test_lines_stand_where_the_axes_say():

@@ -454,6 +454,35 @@ def test_the_gyro_tells_the_filter_s_own_numbers():
     assert np.array_equal(board.rows[0]["x"], result.x[:, 0])
 
 
+def test_the_map_of_a_wrong_sigma_and_500_runs():
+    assert widgets.gyro_mismatch() is None
+    board = widgets.GyroMismatch()
+    for name, typed in dict(sigma_w="2,5", sigma_v="4", times_w="3", times_v="0,5").items():
+        getattr(board, name).value = typed
+    p, grid = gyro.Params(sigma_w=2.5, sigma_v=4), 10 ** np.linspace(-1, 1, 31)
+    rmse_, nees_ = gyro.expected(p, grid * 2.5, grid[:, np.newaxis] * 4)
+    assert board.tables["cost"] == pytest.approx(rmse_ / rmse_[15, 15]) and board.tables["nees"] == pytest.approx(nees_)
+    many = gyro.simulate(p, np.random.default_rng(widgets.SEED), 500)
+    told = kalman_filter(gyro.model(replace(p, sigma_w=7.5, sigma_v=2)), many.z, many.u)
+    squares = (many.x - told.x)[:, 0] ** 2
+    (wrong, scale), best = gyro.expected(p, 7.5, 2), gyro.expected(p, 2.5, 4)[0]
+    numbers = [7.5, 2, 2.5, 4, wrong, wrong / best, best, scale, 500, widgets.SEED, np.sqrt(squares.mean()),
+               np.mean(squares / told.P[:, 0, 0][:, np.newaxis])]
+    assert outcome(board) == [float(f"{value:.3g}") for value in numbers] and board.message.value == ""
+    before = board.sentence.value, *(screen.value for screen in board.maps.values())
+    for name, typed in (("times_w", "11"), ("sigma_v", "0"), ("sigma_w", "x")):
+        kept = getattr(board, name).value
+        getattr(board, name).value = typed
+        assert board.message.value and (board.sentence.value, *(screen.value for screen in board.maps.values())) == before
+        getattr(board, name).value = kept
+    board.noise.click()
+    assert board.sentence.value != before[0] and board.maps["nees"].value == before[2]          # the maps hold no noise
+    board.truth.click()
+    assert board.tables["nees"][15, 15] == pytest.approx(1) and "jujur" in board.sentence.value
+    board.language.value = "en"
+    assert "honest" in board.sentence.value and "believes" in text_of(board)
+
+
 def test_new_noise_and_the_paper_s_figures():
     board = widgets.GyroFlight()
     before = board.sentence.value, board.angle.value, board.errors.value

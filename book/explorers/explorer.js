@@ -171,7 +171,7 @@ class Explorer {
   }
 
   button(text, react) {
-    const button = make("button", { type: "button", textContent: text });
+    const button = make("button", { type: "button" }, label(text));
     button.addEventListener("click", () => this.safely(react));
     return button;
   }
@@ -190,10 +190,10 @@ class Explorer {
     const [from, to] = [Math.log(low), Math.log(control.max)];
     const range = make("input", { type: "range", id, min: control.log ? 0 : control.min, max: control.log ? STEPS : control.max, step: control.log ? 1 : control.step });
     const typed = make("input", { type: "text", inputMode: "decimal", autocomplete: "off", spellcheck: false, className: "explorer-value" });
-    typed.setAttribute("aria-label", this.say("typed", { name: `${control.symbol || ""} ${words}`.trim() }));
+    typed.setAttribute("aria-label", this.say("typed", { name: `${control.symbol || ""} ${words}`.trim().replaceAll("_", "") }));
     const name = make("label", { htmlFor: id });
     if (control.symbol) name.append(make("b", {}, label(control.symbol)), " ");
-    name.append(make("span", { textContent: words }));
+    name.append(make("span", {}, label(words)));
     const box = input => make("span", { className: "explorer-box" }, input);
     const element = make("div", {}, name, box(range), make("span", { className: "explorer-typed" }, box(typed), make("span", { className: "explorer-unit", textContent: control.unit })));
     range.hidden = Boolean(control.field);
@@ -379,7 +379,7 @@ class Explorer {
     this.worded = performance.now();
     this.showControls();
     for (const plot of this.plots) plot.renewLegend();
-    if (this.view.outcome) setText(this.outcome, this.view.outcome(this.r, this.shown, this.t));
+    if (this.view.outcome) setLabel(this.outcome, this.view.outcome(this.r, this.shown, this.t));
     if (this.view.equations) fillEquations(this.equations, this.view.equations(this.r, this.shown, this.t));
     if (this.view.facts) fillTable(this.facts, this.view.facts(this.r, this.shown, this.t));
   }
@@ -403,7 +403,7 @@ class Explorer {
   /** The reader pauses: say the outcome, fill the table, renew the question. */
   settle() {
     if (this.work) { this.pause = setTimeout(() => this.settle(), 300); return; }
-    const outcome = this.view.outcome?.(this.r, this.shown, this.t) ?? "";
+    const outcome = this.outcome.textContent;
     if (this.touched) this.live.textContent = outcome;
     for (const { canvas, spec } of this.plots) canvas.setAttribute("aria-label", `${this.t.say(spec.alt)} ${outcome}`);
     this.fillNumbers();
@@ -605,6 +605,7 @@ class Explorer {
 // What is as it should be is left alone: every change costs a layout or a style.
 const setAttribute = (element, name, value) => { if (element.getAttribute(name) !== value) element.setAttribute(name, value); };
 const setText = (element, text) => { if (element.textContent !== text) element.textContent = text; };
+const setLabel = (element, text) => { if (element.dataset.text !== text) { element.dataset.text = text; element.replaceChildren(label(text)); } };
 
 /** A number for a text field: no digit lost, no needless one. */
 const plain = value => Math.abs(value) >= 1e6 || (value !== 0 && Math.abs(value) < 1e-4) ? value.toExponential().replace("e+", "e") : String(Number(value.toPrecision(12)));

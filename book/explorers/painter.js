@@ -9,7 +9,9 @@ const NUMBERS = ["lineWidth", "globalAlpha"], TEXTS = ["strokeStyle", "fillStyle
 /** The painter's whole program; it knows nothing from outside. strokes holds [code, how many values, the values] again and again. */
 function program(METHODS, NUMBERS, TEXTS, font) {
   const contexts = [], PROPERTIES = [...NUMBERS, ...TEXTS];
+  new OffscreenCanvas(1, 1).getContext("2d").save();            // a browser that cannot fails here, and draws in the page
   onmessage = ({ data: pictures }) => {
+    setTimeout(postMessage, 0, "painted");      // the canvases are filled when this task ends
     for (const { id, canvas, width, height, strokes, words } of pictures) {
       const ctx = contexts[id] ||= canvas.getContext("2d");
       if (ctx.canvas.width !== width || ctx.canvas.height !== height) Object.assign(ctx.canvas, { width, height });
@@ -22,7 +24,6 @@ function program(METHODS, NUMBERS, TEXTS, font) {
         else { const property = PROPERTIES[code - METHODS.length]; ctx[property] = NUMBERS.includes(property) ? values[0] : words[values[0]]; }
       }
     }
-    setTimeout(postMessage, 0, "painted");      // the canvases are filled when this task ends
   };
   const wait = new Promise(done => setTimeout(done, 1000)), load = font && new FontFace(...font).load().then(face => fonts.add(face));
   Promise.race([wait, load]).catch(() => 0).then(() => postMessage("ready"));           // without the page's font: the device's own

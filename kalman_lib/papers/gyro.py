@@ -107,6 +107,23 @@ def error_with_gain(p, K):
     return np.sqrt(((1 - K) ** 2 * m.Q[0, 0] + K ** 2 * m.R[0, 0]) / (1 - (1 - K) ** 2))
 
 
+def expected(p, sigma_w, sigma_v):
+    """RMSE (rad) and mean NEES to be expected, over all steps, of a filter that believes sigma_w and sigma_v while p is true.
+
+    sigma_w rad/s and sigma_v rad are numbers or arrays (a map), and so is the answer. No data is needed: K and P depend
+    on none, and the error e = (1 - K)(e + w) - K v has the variance V = (1 - K)^2 (V + Q) + K^2 R, with the true Q and R.
+    """
+    m = model(p)
+    Q, R, Q_told, R_told = m.Q[0, 0], m.R[0, 0], (np.asarray(sigma_w) * p.T) ** 2, np.asarray(sigma_v) ** 2
+    P = V = squares = nees = 0
+    for _ in times(p):
+        P_pred = P + Q_told
+        K, keep = P_pred / (P_pred + R_told), R_told / (P_pred + R_told)        # keep = 1 - K
+        P, V = K * R_told, keep ** 2 * (V + Q) + K ** 2 * R
+        squares, nees = squares + V, nees + V / P
+    return np.sqrt(squares / len(times(p))), nees / len(times(p))
+
+
 def drift(p, rng, runs):
     """The error of the gyroscope alone: the sum of its noise, (T, runs), rad. Its standard deviation is sigma_w sqrt(T t)."""
     return np.cumsum(p.T * p.sigma_w * rng.normal(size=(len(times(p)), runs)), axis=0)

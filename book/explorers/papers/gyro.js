@@ -45,6 +45,20 @@ export function error_with_gain(p, K) {
   return Math.sqrt(((1 - K) ** 2 * Q + K ** 2 * R) / (1 - (1 - K) ** 2));
 }
 
+/** [RMSE (rad), mean NEES] to be expected of a filter that believes sigma_w and sigma_v while p is true; needs no data. */
+export function expected(p, sigma_w, sigma_v) {
+  const Q = (p.sigma_w * p.T) ** 2, R = p.sigma_v ** 2, Q_told = (sigma_w * p.T) ** 2, R_told = sigma_v ** 2, T = steps(p);
+  let P = 0, V = 0, squares = 0, nees = 0;
+  for (let k = 0; k < T; k++) {
+    const P_pred = P + Q_told, K = P_pred / (P_pred + R_told), keep = R_told / (P_pred + R_told);
+    P = K * R_told;
+    V = keep * keep * (V + Q) + K * K * R;
+    squares += V;
+    nees += V / P;
+  }
+  return [Math.sqrt(squares / T), nees / T];
+}
+
 /** Largest |x_true - z| and |x_true - x|, rad. */
 function maxima(flight, result) {
   let of_z = 0, of_x = 0;
@@ -58,6 +72,7 @@ function maxima(flight, result) {
 export const twins = {
   steady: p => steady(p),
   maxima: (p, data, result) => maxima(data, result),
+  expected: p => expected(p, p.sigma_w, p.sigma_v),
   error_with_gain: (p, data, result) => error_with_gain(p, result.K[0]),        // Python gets the first gain as K, too
 };
 
@@ -220,12 +235,114 @@ function question(r, s, t, random) {
   return { text: t.say(kind.text, given), answer: kind.answer, tolerance: kind.tolerance, hint: value => t.say(kind.hint(value), given) };
 }
 
-// --- the view -------------------------------------------------------------------------------------------------------
+// --- the map of a wrong sigma ----------------------------------------------------------------------------------------
+
+const HALF = 15, LEVELS = { cost: [1.1, 1.3, 1.6, 2, 2.5, 3], nees: [0.03, 0.1, 0.3, 1, 3, 10, 30] };
+const factor = i => 10 ** (i / HALF);           // i = -HALF ... HALF: a tenth to ten times the true one
+
+/** cost(i, j) = RMSE / optimum and nees(i, j) of factor(i) sigma_w and factor(j) sigma_v. The gain depends on i - j only. */
+function costs(s) {
+  const rows = Array.from({ length: 4 * HALF + 1 }, (_, d) => expected(s, factor(d - 2 * HALF) * s.sigma_w, s.sigma_v)), best = rows[2 * HALF][0];
+  return { best, cost: (i, j) => rows[i - j + 2 * HALF][0] / best, nees: (i, j) => rows[i - j + 2 * HALF][1] / factor(j) ** 2 };
+}
+
+function compare(s, memo) {
+  const believed = { other: true, believed_w: s.times_w * s.sigma_w, believed_v: s.times_v * s.sigma_v };
+  return { ...compute({ ...s, ...believed }, memo), ...costs(s), wrong: expected(s, believed.believed_w, believed.believed_v) };
+}
+
+/** Where value(place) crosses the level between two whole places from..to, or null. */
+function crossing(value, level, from, to) {
+  for (let i = from; i < to; i++) {
+    const a = Math.log(value(i) / level), b = Math.log(value(i + 1) / level);
+    if (a * b <= 0 && a !== b) return i + a / (a - b);
+  }
+  return null;
+}
+
+/** A map in steps, each with its number: how dark a cell is tells between which levels its value lies. */
+function map(title, name, places, alt) {
+  return { title, xlabel: "rad/s", height: 260, half: true, xlog: true, ylog: true, alt,
+    drag: (x, y, s) => ({ times_w: near(x / s.sigma_w), times_v: near(y / s.sigma_v) }),
+    draw(r, s, t) {
+      const w = i => s.sigma_w * factor(i), v = j => s.sigma_v * factor(j), levels = LEVELS[name], step = (i, j) => levels.filter(level => r[name](i, j) >= level).length;
+      const paint = (ctx, X, Y, colours) => {
+        for (let j = -HALF; j <= HALF; j++) {
+          for (let i = -HALF, from = i; i <= HALF; i++) {
+            if (i < HALF && step(i, j) === step(i + 1, j)) continue;
+            ctx.globalAlpha = 0.1 * step(i, j);
+            const [left, right, top, bottom] = [X(w(from - 0.5)), X(w(i + 0.5)), Y(v(j + 0.5)), Y(v(j - 0.5))].map(Math.round);      // or seams would show
+            ctx.fillRect(left, top, right - left, bottom - top);
+            from = i + 1;
+          }
+        }
+        ctx.globalAlpha = 1;
+        ctx.fillStyle = colours.words;
+        ctx.font = `600 11px ${colours.font}`;
+        ctx.textAlign = "center";
+        ctx.textBaseline = "middle";
+        for (const { value, at, from, to } of places(r)) {
+          let last = [-99, -99];
+          for (const level of levels) {
+            const place = crossing(value, level, from, to), here = place === null ? last : at(place).map((i, axis) => axis ? Y(v(i)) : X(w(i)));
+            if (Math.hypot(here[0] - last[0], here[1] - last[1]) < 14) continue;                // no number upon another
+            ctx.fillText(t.decimal(level), ...here);
+            last = here;
+          }
+        }
+      };
+      return { xlim: [w(-HALF - 0.5), w(HALF + 0.5)], ylim: [v(-HALF - 0.5), v(HALF + 0.5)], layers: [{ look: "estimate", paint },
+        { look: "truth", mark: [s.sigma_w, s.sigma_v], sign: "+", label: { id: "yang benar", en: "the truth" } },
+        { look: "measurement", mark: [s.times_w * s.sigma_w, s.times_v * s.sigma_v], label: { id: "yang dipercayai filter", en: "what the filter believes" } }] };
+    } };
+}
+
+const near = times => Number(Math.min(Math.max(times, 0.1), 10).toPrecision(3));
+const across = r => [[-HALF, 0], [0, HALF]].map(([from, to]) => ({ value: i => r.cost(i, -i), at: i => [i, -i], from, to }));       // over the valley
+const along = r => [{ value: i => r.nees(i + 3, i - 3), at: i => [i + 3, i - 3], from: 3 - HALF, to: HALF - 3 }];             // beside the marks
+
+const VERDICT = {
+  map: { id: "Filter percaya σ_w = {w} rad/s dan σ_v = {v} rad, padahal yang benar {true_w} dan {true_v}. RMSE-nya {rmse} rad, {cost} kali yang terbaik ({best} rad), dan NEES-nya {nees}: {word}.",
+         en: "The filter believes σ_w = {w} rad/s and σ_v = {v} rad; the truth is {true_w} and {true_v}. Its RMSE is {rmse} rad, {cost} times the best ({best} rad), and its NEES {nees}: {word}." },
+  runs: { id: "Dari {runs} percobaan sintetis (benih acak {seed}): RMSE {all} rad, NEES {mean}.", en: "From {runs} synthetic runs (random seed {seed}): RMSE {all} rad, NEES {mean}." },
+  sure: { id: "terlalu yakin", en: "too sure" }, doubtful: { id: "terlalu ragu", en: "too doubtful" }, honest: { id: "P-nya jujur", en: "its P is honest" },
+};
+
+const MAP = {
+  outcome(r, s, t) {
+    const all = study(r), [rmse, nees] = r.wrong, word = VERDICT[nees > 1.1 ? "sure" : nees < 0.9 ? "doubtful" : "honest"];
+    return [t.say(VERDICT.map, { w: r.believed.sigma_w, v: r.believed.sigma_v, true_w: s.sigma_w, true_v: s.sigma_v, rmse, cost: rmse / r.best, best: r.best, nees, word: t.say(word) }),
+            t.say(VERDICT.runs, { runs: String(r.runs.count), seed: String(s.seed), all: all.rmse, mean: all.nees })].join(" ");
+  },
+  numbers(r, s, t) {
+    const places = [-HALF, -HALF / 2, 0, HALF / 2, HALF].map(Math.round), show = value => t.decimal(value);
+    return { head: ["σ_w (rad/s)", "σ_v (rad)", t.say({ id: "RMSE / terbaik", en: "RMSE / best" }), "NEES"],
+             rows: places.flatMap(j => places.map(i => [s.sigma_w * factor(i), s.sigma_v * factor(j), r.cost(i, j), r.nees(i, j)].map(show))) };
+  },
+  question(r, s, t, random) {
+    const c = [0.2, 0.5, 2, 5][random.whole(4)], [K_w, K_v] = [[3, 1], [1, 2], [2, 1]][random.whole(3)], q = (s.sigma_w * s.T / s.sigma_v) ** 2, close = (a, b) => Math.abs(a - b) <= 0.02 * Math.abs(b);
+    const given = { c: t.decimal(c), w: t.decimal(K_w), v: t.decimal(K_v), q: t.decimal(q, 4) };
+    const kinds = [
+      { text: { id: "Sebuah filter percaya {c} σ_w dan {c} σ_v. Dengan pasangan yang benar NEES-nya 1. Berapa NEES-nya sekarang?", en: "A filter believes {c} σ_w and {c} σ_v. With the true pair its NEES is 1. What is it now?" },
+        answer: 1 / c ** 2,
+        hint: value => close(value, c ** 2) ? { id: "Terbalik: P menjadi c² kali, dan NEES dibagi P.", en: "The other way round: P becomes c² times as large, and NEES is divided by P." } : close(value, 1 / c) ? { id: "P berisi kuadrat simpangan baku: kuadratkan c.", en: "P holds squares of standard deviations: square c." }
+          : { id: "K tidak berubah, jadi galatnya juga tidak; P menjadi c² kali.", en: "K does not change, so neither does the error; P becomes c² times as large." } },
+      { text: { id: "Sebuah filter percaya {w} σ_w dan {v} σ_v. Dengan yang benar q = Q/R = {q}. Berapa q menurut filter itu?", en: "A filter believes {w} σ_w and {v} σ_v. The true q = Q/R is {q}. What is q as the filter has it?" },
+        answer: q * (K_w / K_v) ** 2, tolerance: 0.02,
+        hint: value => close(value, q * K_w / K_v) ? { id: "q berisi kuadrat kedua simpangan baku.", en: "q holds the squares of both standard deviations." } : { id: "q = (σ_w T)² / σ_v²: kalikan dengan ({w} / {v})².", en: "q = (σ_w T)² / σ_v²: multiply by ({w} / {v})²." } },
+    ];
+    const kind = kinds[random.whole(kinds.length)];
+    return { text: t.say(kind.text, given), answer: kind.answer, tolerance: kind.tolerance, hint: value => t.say(kind.hint(value), given) };
+  },
+};
+
+// --- the views ------------------------------------------------------------------------------------------------------
 
 const settings = ([sigma_w, sigma_v]) => ({ duration: 20, T: 0.1, sigma_w, sigma_v });
 const is = values => s => Object.entries(values).every(([name, value]) => s[name] === value);
 const MEMS = { duration: 2, T: 0.01, sigma_w: Number((0.1 * DEGREE).toPrecision(3)), sigma_v: Number(DEGREE.toPrecision(3)) };
 const believed = { min: 1e-4, max: 100, step: 0.1, log: true, default: null };
+const times = { min: 0.1, max: 10, step: 0.1, log: true, default: 1, unit: "" };
 
 export const views = {
   flight: {
@@ -292,5 +409,30 @@ export const views = {
         } },
     ],
     outcome, facts, numbers, question,
+  },
+  mismatch: {
+    name: { id: "Harga σ yang salah", en: "What a wrong σ costs" },
+    noise: true,
+    controls: [
+      { kind: "buttons", items: [
+        { id: "σ_w sepersepuluh", en: "σ_w a tenth", set: { times_w: 0.1, times_v: 1 } }, { id: "σ_w 10 kali", en: "σ_w 10 times", set: { times_w: 10, times_v: 1 } },
+        { id: "σ_v sepersepuluh", en: "σ_v a tenth", set: { times_w: 1, times_v: 0.1 } }, { id: "σ_v 10 kali", en: "σ_v 10 times", set: { times_w: 1, times_v: 10 } },
+        { id: "yang benar", en: "the truth", set: { times_w: 1, times_v: 1 } }].map(item => ({ ...item, pressed: is(item.set) })) },
+      { ...times, name: "times_w", symbol: "c_w", id: "σ_w menurut filter dibagi yang benar", en: "σ_w as the filter believes it, over the true one" },
+      { ...times, name: "times_v", symbol: "c_v", id: "σ_v menurut filter dibagi yang benar", en: "σ_v as the filter believes it, over the true one" },
+      { name: "sigma_w", symbol: "σ_w" },
+      { name: "sigma_v", symbol: "σ_v" },
+      { name: "duration", symbol: "t" },
+      { name: "T", symbol: "T" },
+    ],
+    compute: compare,
+    *refine(r, s) { yield* errors(r, s, r.memo); },
+    plots: [
+      map({ id: "RMSE / terbaik: σ_w mendatar, σ_v (rad) tegak", en: "RMSE / best: σ_w across, σ_v (rad) upwards" }, "cost", across,
+        { id: "Peta RMSE relatif: lembah lurus sejajar diagonal, naik ke sudut kiri atas dan kanan bawah.", en: "Map of the relative RMSE: a straight valley along the diagonal, rising to the top left and bottom right corners." }),
+      map({ id: "NEES: σ_w mendatar, σ_v (rad) tegak", en: "NEES: σ_w across, σ_v (rad) upwards" }, "nees", along,
+        { id: "Peta rata-rata NEES: besar di kiri dan di bawah, kecil di sudut kanan atas.", en: "Map of the mean NEES: large at the left and at the bottom, small in the top right corner." }),
+    ],
+    ...MAP,
   },
 };
