@@ -3,6 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 PY := $(VENV)/bin/python
 PORT ?= 8000
+SIDE_BY_SIDE := --numprocesses 2 --dist loadfile --no-loadscope-reorder
 
 .PHONY: help book test bench lab serve outputs lock clean
 .DEFAULT_GOAL := help
@@ -14,8 +15,8 @@ book: $(VENV)/.npm ## build the book in both languages: _build/site/index.html
 	$(PY) book/build.py
 
 test: $(VENV)/.npm ## run every test, then every notebook again, comparing its stored outputs
-	$(PY) -m pytest tests
-	$(PY) -m pytest --nbval notebooks
+	$(PY) -m pytest $(SIDE_BY_SIDE) tests
+	$(PY) -m pytest $(SIDE_BY_SIDE) --nbval notebooks
 
 lab: $(VENV)/.installed ## open the notebooks in JupyterLab
 	$(PY) -m jupyterlab --notebook-dir=notebooks

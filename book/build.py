@@ -5,7 +5,8 @@
                       _build/site/index.html   (leads to the reader's language)
 
 The notebooks are executed side by side, then both languages are built side by side.
-Does nothing when nothing changed since the last build. Open _build/site/index.html, no server needed.
+Does nothing when nothing changed since the last build; a second build at the same time waits for the first.
+Open _build/site/index.html, no server needed.
 """
 import hashlib
 import json
@@ -38,6 +39,7 @@ try:
     import yaml
     import jupyter_book  # noqa: F401  (these two only to see that they are there)
     import kalman_lib  # noqa: F401
+    from filelock import FileLock
     from jupyter_cache import get_cache
     from jupyter_cache.base import CacheBundleIn
     from jupyter_cache.executors.utils import single_nb_execution
@@ -233,4 +235,6 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    BUILD.mkdir(exist_ok=True)
+    with FileLock(BUILD / "lock"):
+        main()

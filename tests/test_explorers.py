@@ -65,15 +65,17 @@ def opened(site, server, chromium):
     """A page with an explorer -> a browser page that is ready, and what went wrong on it. Kept open for all tests."""
     kept, contexts = {}, []
 
-    def open_page(path, hash="", base=server, **options):
-        key = (path, hash, base, tuple(sorted(map(str, options.items()))))
+    def open_page(path, base=server, **options):
+        options = {"viewport": PHONE, "reduced_motion": "reduce", "service_workers": "block", **options}
+        key = (path, base, str(options))
         if key not in kept:
-            context = chromium.new_context(**{"viewport": PHONE, "reduced_motion": "reduce", "service_workers": "block", **options})
+            context = chromium.new_context(**options)
             contexts.append(context)
             page, trouble = context.new_page(), []
             page.on("console", lambda message: trouble.append(message.text) if message.type == "error" else None)
             page.on("pageerror", lambda error: trouble.append(f"{error}\n{error.stack}"))
-            page.goto(f"{base}/{path.relative_to(site).as_posix()}{hash}")
+            page.on("dialog", lambda dialog: (trouble.append(dialog.message), dialog.dismiss()))
+            page.goto(f"{base}/{path.relative_to(site).as_posix()}")
             page.evaluate("document.fonts.ready.then(() => true)")
             kept[key] = page, trouble
         return kept[key]
@@ -369,8 +371,9 @@ def test_the_picture_is_the_same_without_a_second_thread(scheme, site, server, c
         page.goto(f"{base}/{pages_with_explorers(site, 'en')[0].relative_to(site).as_posix()}")
         element = page.locator("kalman-explorer").first
         element.scroll_into_view_if_needed()
-        assert element.evaluate("e => document.fonts.ready.then(() => new Promise(done => setTimeout(done, 500)))") is None
+        page.evaluate("document.fonts.ready.then(() => true)")
         shown(element)
+        element.evaluate("async e => { e.explorer.draw(true); await e.explorer.painted(); }")
         drawn[threads] = element.evaluate("""e => [...e.querySelectorAll('canvas')].map(canvas => {
           const copy = Object.assign(document.createElement('canvas'), { width: canvas.width, height: canvas.height }).getContext('2d');
           copy.drawImage(canvas, 0, 0);
@@ -383,10 +386,12 @@ def test_the_picture_is_the_same_without_a_second_thread(scheme, site, server, c
 
 
 def test_print_and_no_script_show_the_picture(site, server, chromium, opened):
-    for name, page, _, element in explorers(site, opened, viewport={"width": 900, "height": 900}):
+    for name, page, _, element in explorers(site, opened):
+        page.set_viewport_size({"width": 900, "height": 900})
         page.emulate_media(media="print")
         assert element.locator("> img").is_visible() and not element.locator(".explorer").is_visible(), name
         page.emulate_media(media="screen")
+        page.set_viewport_size(PHONE)
     context = chromium.new_context(java_script_enabled=False)
     page = context.new_page()
     page.goto(f"{server}/{pages_with_explorers(site, 'id')[0].relative_to(site).as_posix()}")
@@ -492,11 +497,11 @@ def test_accessibility(site, opened):
     for language in ("id", "en"):
         for path in pages_with_explorers(site, language):
             page, _ = opened(path)
-            page.evaluate("""async () => {         // a few rows of the long tables are enough, and every picture may scroll away
-              document.querySelectorAll('details.explorer-numbers').forEach(e => { e.open = true });
-              await new Promise(done => setTimeout(done, 100));
+            page.evaluate("document.querySelectorAll('details.explorer-numbers').forEach(e => { e.open = true })")
+            page.wait_for_function("[...document.querySelectorAll('details.explorer-numbers')].every(e => e.querySelector('table'))")
+            page.evaluate("""() => {               // a few rows of the long tables are enough
               document.querySelectorAll('.explorer-table tbody tr:nth-child(n + 4)').forEach(row => row.remove());
-              document.querySelectorAll('.katex').forEach(e => { e.textContent = 'x'; });      // thousands of parts: slow
+              document.querySelectorAll('.katex, .highlight').forEach(e => { e.textContent = 'x'; });      // thousands of parts: slow
             }""")
             page.evaluate(axe)
             for theme in ("light", "dark") if language == "id" else ("light",):        # only the words differ
@@ -549,14 +554,10 @@ def test_the_address_keeps_the_settings(site, opened, server, chromium):
 @pytest.mark.parametrize("language", ["id", "en"])
 @pytest.mark.parametrize("bad", ["seed=<img src=x onerror=alert(1)>", "<script>alert(1)</script>=1", "seed==cmd|' /C calc'!A0", "seed=1e308",
                                  "seed=NaN", "seed=", "nothing=1", "seed=-5", "%E0%A4%A", "__proto__=1", "seed=" + "9" * 5000])
-def test_a_bad_address_is_refused_in_one_sentence(language, bad, site, server, chromium):
-    path = pages_with_explorers(site, language)[0]
-    page = chromium.new_page(viewport=PHONE)
-    alerts = []
-    page.on("dialog", lambda dialog: (alerts.append(dialog.message), dialog.dismiss()))
-    page.on("pageerror", lambda error: alerts.append(str(error)))
-    page.goto(f"{server}/{path.relative_to(site).as_posix()}")
+def test_a_bad_address_is_refused_in_one_sentence(language, bad, site, opened):
+    page, trouble = opened(pages_with_explorers(site, language)[0])
     element = live(page)[0]
+    shown(element)
     key, before = element.evaluate("e => [e.explorer.key, e.explorer.s]")
     drawn = picture(element)
     page.evaluate("text => { location.hash = text }", f"{key}:{bad}")
@@ -566,8 +567,10 @@ def test_a_bad_address_is_refused_in_one_sentence(language, bad, site, server, c
     assert len(text) < 250 and text.endswith(".") and text.count("\n") == 0
     assert ("diterima" in text or "alamat" in text) == (language == "id")
     assert element.evaluate("e => e.explorer.s") == before and picture(element) == drawn
-    assert message.locator("*").count() == 0 and alerts == []
-    page.close()
+    assert message.locator("*").count() == 0 and trouble == []
+    element.evaluate("e => e.explorer.reset()")
+    message.wait_for(state="hidden")
+    assert f"{key}:" not in page.url
 
 
 def test_bad_numbers_are_refused_and_the_picture_stays(site, opened):
@@ -613,8 +616,10 @@ def test_the_hand_check(language, site, opened):
 # --- chapters 4 and 5: what only they have ---------------------------------------------------------------------------
 
 def explorer_of(paper, site, opened, language="id", **options):
-    """(browser page, locator) of the live explorer of this paper."""
-    return next((page, element) for name, page, _, element in explorers(site, opened, language, **options) if name.endswith(f": {paper}"))
+    """(browser page, trouble, locator) of the first live explorer of this paper; no other page is opened."""
+    path = next(path for path in pages_with_explorers(site, language) if f'paper="{paper}"' in path.read_text(encoding="utf-8"))
+    page, trouble = opened(path, **options)
+    return page, trouble, next(element for element in live(page) if element.get_attribute("paper") == paper)
 
 
 def set_state(element, **changes):
@@ -671,7 +676,7 @@ def own_run(rows=200):
 @pytest.mark.parametrize("language", ["id", "en"])
 def test_ship_filters_a_recording_of_the_reader_as_python_does(way, language, site, opened):
     from kalman_lib.papers import ship
-    page, element = explorer_of("ship", site, opened, language)
+    page, _, element = explorer_of("ship", site, opened, language)
     text, t, z = own_run()
     if way == "pasted":
         element.locator("textarea").fill(text)
@@ -707,9 +712,8 @@ BAD_RECORDINGS = ["0 1\n1 2\n2 <img src=x onerror=alert(1)>", "<script>alert(1)<
 
 @pytest.mark.parametrize("language", ["id", "en"])
 def test_ship_refuses_what_is_no_recording_in_one_sentence(language, site, opened):
-    page, element = explorer_of("ship", site, opened, language)
-    alerts, drawn = [], picture(element)
-    page.on("dialog", lambda dialog: (alerts.append(dialog.message), dialog.dismiss()))
+    _, trouble, element = explorer_of("ship", site, opened, language)
+    drawn = picture(element)
     message = element.locator(".explorer-message")
     for bad in BAD_RECORDINGS:
         set_state(element, text=bad)
@@ -725,7 +729,7 @@ def test_ship_refuses_what_is_no_recording_in_one_sentence(language, site, opene
         assert message.inner_text().endswith(".") and picture(element) == drawn, name
         set_state(element, file=None)
         message.wait_for(state="hidden")
-    assert alerts == []
+    assert trouble == []
     element.evaluate("e => e.explorer.reset()")
 
 
@@ -760,7 +764,7 @@ def test_zoomed_in_nothing_is_cut_off(width, site, opened):
 
 @pytest.mark.parametrize("motion", ["reduce", "no-preference"])
 def test_beetle_walks_only_for_who_wants_motion(motion, site, opened):
-    page, element = explorer_of("beetle", site, opened, reduced_motion=motion)
+    page, _, element = explorer_of("beetle", site, opened, reduced_motion=motion)
     play = element.locator(".explorer-control.buttons button").first
     play.scroll_into_view_if_needed()
     for expected in (0, 20):
@@ -778,7 +782,7 @@ def test_beetle_walks_only_for_who_wants_motion(motion, site, opened):
 
 
 def test_beetle_what_the_distance_cannot_show_and_the_bearing_can(site, opened):
-    _, element = explorer_of("beetle", site, opened, "en")
+    *_, element = explorer_of("beetle", site, opened, "en")
     left = {}
     for bearing in (False, True):
         set_state(element, bearing=bearing)
@@ -792,7 +796,7 @@ def test_beetle_what_the_distance_cannot_show_and_the_bearing_can(site, opened):
 def test_gyro_the_map_of_a_wrong_sigma_is_pythons(changes, site, opened):
     """Every cell of both maps; the chosen pair; and 500 runs of the page stay near it."""
     from kalman_lib.papers import gyro
-    page, _ = explorer_of("gyro", site, opened, "en")
+    page, *_ = explorer_of("gyro", site, opened, "en")
     element = page.locator("kalman-explorer[view=mismatch]")
     set_state(element, **changes, times_w=3, times_v=0.25)
     page.wait_for_function("e => e.explorer.r.runs.count === 500 && !e.explorer.work", arg=element.element_handle())
