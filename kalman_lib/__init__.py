@@ -1,4 +1,4 @@
-"""The small helper package of the book: models, simulation, filters and error measures. Needs NumPy only."""
+"""The small helper package of the book: models, simulation, filters and error measures."""
 from .fast import kalman_filter, rts_smooth, smooth_runs
 from .filters import FilterResult, SmootherResult, predict, update
 from .metrics import chi2_bounds, nees, nis, rmse

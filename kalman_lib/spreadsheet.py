@@ -1,8 +1,6 @@
-"""Numbers in, workbooks out: reads a pasted text, a CSV or Excel file, and writes the paper's form, alive.
+"""Numbers in, workbooks out. The only room that knows openpyxl.
 
-The only room that knows openpyxl. `read_text` and `read_file` give a Table, `read_sheets` one for every sheet;
-`write_workbook` writes the form of Rudiyanto, Setiawan and Saptomo (2006) as an .xlsx without macros. Whatever cannot
-be understood raises InputError.
+The workbook is the form of Rudiyanto, Setiawan and Saptomo (2006), alive.
 """
 import csv
 import io
@@ -24,7 +22,7 @@ MAX_NUMBER = 1e300
 
 
 class InputError(ValueError):
-    """Something is wrong with what the reader gave us: .en and .id say it, one sentence in each language."""
+    """What is wrong with the reader's input: one sentence in each language, .en and .id."""
 
     def __init__(self, en, id):
         super().__init__(f"{en} / {id}")
@@ -33,12 +31,8 @@ class InputError(ValueError):
 
 @dataclass(frozen=True, eq=False)
 class Table:
-    """What was read. T rows; units are those of the source.
-
-    columns {name: float array (T,), NaN = gap}; lines (T,) the line or row number of each row in the source;
-    skipped: names of the columns without any number (dates, labels); decimal "," or "." (None: no number had one);
-    note_en, note_id: one sentence that says what was understood.
-    """
+    """What was read: columns {name: float array (T,), NaN = gap}; lines (T,) where each row stands; skipped: names of
+    columns without a number; decimal "," or "." or None; note_en, note_id: what was understood."""
     columns: dict
     lines: np.ndarray
     skipped: tuple
@@ -47,33 +41,34 @@ class Table:
     note_id: str
 
 
-# --- reading: source -> grid [(line, cells)] -> Table ---------------------------------------------------------------
+# --- reading: source -> grid [(line, cells)] -> Table ----------------------------------------------------------------
 
 def read_text(text, decimal=None):
-    """A pasted text or CSV -> Table. decimal "," or "." says which decimal sign it has; None: find out.
+    """A pasted text or CSV -> Table. decimal is its decimal sign, "," or "."; None: find out.
 
-    Separators: tab, semicolon, comma or blanks. A line "1,5" without header is one number with decimal comma unless
-    decimal=".". InputError: no numbers, ragged rows, a word among numbers, or a text that can be read in two ways.
+    Separators: tab, semicolon, comma or blanks. A line "1,5" without header is one number unless decimal=".".
+    InputError: no numbers, ragged rows, a word among numbers, or a text that can be read in two ways.
     """
     if decimal not in (None, ",", "."):
         raise ValueError('decimal must be ",", "." or None. / decimal harus ",", "." atau None.')
     try:
-        grid, remark = _split(text.removeprefix("\ufeff"), decimal)
+        grid, *remark = _split(text.removeprefix("\ufeff"), decimal)
     except csv.Error as error:
         raise InputError(f"The quotation marks in the text do not pair up ({error}).",
                          f"Tanda kutip dalam teks tidak berpasangan ({error}).") from None
-    return _table(grid, decimal, remark)
+    return _table(grid, decimal, *remark)
 
 
 def read_file(name, content, decimal=None):
-    """The bytes of a .csv, .txt, .tsv or .xlsx file -> Table; of an .xlsx the first sheet that holds numbers.
+    """The bytes of a .csv, .txt, .tsv or .xlsx file -> Table; of an .xlsx the first sheet with numbers.
 
-    InputError: another kind of file, a formula that was never calculated, and whatever read_text refuses.
+    InputError: another kind of file, a formula without its result, and whatever read_text refuses.
     """
     suffix = name.lower().rpartition(".")[2]
     if suffix == "xlsx" and content.startswith(b"PK"):
-        grid, remark = _read_xlsx(content, name)
-        return _table(grid, decimal, remark)
+        for title, grid, sheets in _grids(name, content):
+            return _table(grid, decimal, *[(f"; sheet: {title}", f"; lembar: {title}")][:sheets - 1])
+        return _table([], decimal)
     text = decode(content) if suffix in ("csv", "txt", "tsv") else None
     if text is None:
         raise _unreadable(name)
@@ -81,12 +76,9 @@ def read_file(name, content, decimal=None):
 
 
 def read_sheets(name, content, skip=()):
-    """The bytes of an .xlsx file -> {title: Table} of its sheets that hold numbers, without those in skip.
-
-    InputError: no workbook, and whatever read_file refuses.
-    """
-    return {title: _table(grid, None, ("", "")) for title, grid, _ in _grids(content, name, skip)
-            if _has_numbers(grid)}
+    """The bytes of an .xlsx file -> {title: Table} of its sheets with numbers, without those in skip; InputError as
+    read_file."""
+    return {title: _table(grid, None) for title, grid, _ in _grids(name, content, skip)}
 
 
 def _unreadable(name):
@@ -96,12 +88,11 @@ def _unreadable(name):
 
 def decode(content):
     """Bytes -> text: UTF-8, UTF-16 or Windows-1252; None if it is no text at all."""
+    encodings = ["utf-8-sig", "cp1252"]
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
         encodings = ["utf-16"]
     elif b"\0" in content[:2]:
         encodings = ["utf-16-le" if content[1:2] == b"\0" else "utf-16-be"]
-    else:
-        encodings = ["utf-8-sig", "cp1252"]
     for encoding in encodings:
         try:
             text = content.decode(encoding)
@@ -111,77 +102,64 @@ def decode(content):
     return None
 
 
-def _read_xlsx(content, name):
-    """The bytes of a workbook -> (grid of its first sheet with numbers, (remark in English, in Indonesian))."""
-    for title, grid, sheets in _grids(content, name):
-        if _has_numbers(grid):
-            return grid, (f"; sheet: {title}", f"; lembar: {title}") if sheets > 1 else ("", "")
-    return [], ("", "")
-
-
-def _has_numbers(grid):
-    return any(_is_number(cell) for _, cells in grid for cell in cells)
-
-
-def _grids(content, name, skip=()):
-    """The bytes of a workbook -> one (title, grid, number of sheets) after the other."""
+def _grids(name, content, skip=()):
+    """The bytes of a workbook -> (title, grid, number of sheets) of each sheet with numbers."""
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")         # openpyxl warns of decorations that do not matter here
-            results = load_workbook(io.BytesIO(content), read_only=True, data_only=True).worksheets
-            formulas = load_workbook(io.BytesIO(content), read_only=True).worksheets
+            warnings.simplefilter("ignore")         # of decorations
+            results, formulas = (load_workbook(io.BytesIO(content), read_only=True, data_only=data_only).worksheets
+                                 for data_only in (True, False))
             for sheet, formula_sheet in zip(results, formulas):
-                if sheet.title not in skip:
-                    yield sheet.title, _sheet_grid(sheet, formula_sheet), len(results)
+                grid = [] if sheet.title in skip else _sheet_grid(sheet, formula_sheet)
+                if any(_is_number(cell) for _, cells in grid for cell in cells):
+                    yield sheet.title, grid, len(results)
     except InputError:
         raise
-    except Exception as error:                      # a damaged file can break openpyxl in many ways
+    except Exception as error:                      # a damaged file breaks openpyxl in many ways
         raise _unreadable(name) from error
 
 
 def _sheet_grid(sheet, formula_sheet):
-    """A sheet -> [(row number, cells)], a cell being a float or a text. InputError: a formula without its result."""
-    sheet.reset_dimensions()                        # some programs write wrong ones
+    sheet.reset_dimensions()                        # which may be wrong
     formula_sheet.reset_dimensions()
     grid = []
-    for line, (row, formula_row) in enumerate(zip(sheet.iter_rows(), formula_sheet.iter_rows()), start=1):
+    for line, rows in enumerate(zip(sheet.iter_rows(), formula_sheet.iter_rows()), start=1):
         cells = []
-        for cell, formula in zip(row, formula_row):
-            if cell.value is None and formula.data_type == "f" and cell.data_type == "n":
+        for cell, formula in zip(*rows):
+            value = cell.value
+            if value is None and formula.data_type == "f" and cell.data_type == "n":
                 raise InputError(
                     f"Cell {formula.coordinate} of sheet {sheet.title!r} holds a formula that was never calculated; "
                     "open and save the file once in Excel or LibreOffice.",
                     f"Sel {formula.coordinate} di lembar {sheet.title!r} berisi rumus yang belum pernah dihitung; "
                     "buka dan simpan berkas itu sekali di Excel atau LibreOffice.")
-            is_number = isinstance(cell.value, (int, float)) and not isinstance(cell.value, bool)
-            cells.append(float(cell.value) if is_number else "" if cell.value is None else str(cell.value).strip())
+            cells.append(float(value) if type(value) in (int, float) else "" if value is None else str(value).strip())
         grid.append((line, cells if any(cell != "" for cell in cells) else []))
     width = max((len(cells) for _, cells in grid), default=0)
-    return [(line, cells + [""] * (width - len(cells)) if cells else []) for line, cells in grid]
+    return [(line, cells and cells + [""] * (width - len(cells))) for line, cells in grid]
 
 
 def _split(text, decimal):
-    """A text -> (grid, (remark in English, in Indonesian)): finds the separator."""
+    """A text -> its grid, perhaps followed by a remark (en, id): finds the separator."""
     for separator in "\t;":
         if separator in text:
-            return _csv(text, separator), ("", "")
+            return [_csv(text, separator)]
     if "," not in text:
-        return _blanks(_csv(text, "\t")), ("", "")
+        return [_blanks(_csv(text, "\t"))]
     if '",' in text or ',"' in text:
-        return _csv(text, ","), ("", "")
+        return [_csv(text, ",")]
     commas, whole = _csv(text, ","), _blanks(_csv(text, "\t"))
     if decimal == ",":
-        return whole, ("", "")
-    first = next((cells for _, cells in commas if cells), [])
-    first_whole = next((cells for _, cells in whole if cells), [])
-    if not any(_is_number(cell) for cell in first + first_whole):                   # a header decides
-        return (commas if len(first) > 1 else whole), ("", "")
+        return [whole]
+    first, first_whole = (next((cells for _, cells in grid if cells), []) for grid in (commas, whole))
+    if not any(map(_is_number, first + first_whole)):                               # headers decide
+        return [commas if len(first) > 1 else whole]
     if ", " in text or not all(_is_number(cell) or _is_gap(cell) for _, cells in whole for cell in cells):
-        return commas, ("", "")
+        return [commas]
     if not _even(commas):
-        return whole, ("", "")
+        return [whole]
     if decimal == ".":
-        return commas, ("", "")
+        return [commas]
     line, cell = next((line, cell) for line, cells in whole for cell in cells if "," in cell)
     if any(to_number(cell, ",") is None for _, cells in whole for cell in cells):
         raise InputError(f"Line {line}, {cell[:40]!r}: the comma may separate thousands or columns; add a header line, "
@@ -193,7 +171,7 @@ def _split(text, decimal):
 
 
 def _csv(text, separator):
-    """A text -> [(line, stripped cells)]; a blank line has no cells."""
+    """A text -> [(line, cells)]; a blank line has no cells."""
     reader = csv.reader(io.StringIO(text, newline=None), delimiter=separator, skipinitialspace=separator != "\t",
                         strict=True)
     grid = [(reader.line_num, [cell.strip() for cell in row]) for row in reader]
@@ -201,7 +179,7 @@ def _csv(text, separator):
 
 
 def _blanks(grid):
-    """Rows of one cell -> the cells between blanks; two blanks or more where single ones are part of a name."""
+    """The cells between blanks, or between two and more where single ones are part of a name."""
     single, several = ([(line, re.split(blanks, cells[0]) if cells else []) for line, cells in grid]
                        for blanks in (r"\s+", r"\s\s+"))
     if not _even(single) and _even(several) and any(_is_number(cell) for _, cells in several for cell in cells):
@@ -210,14 +188,13 @@ def _blanks(grid):
 
 
 def _even(grid):
-    """Has every row that is not blank as many cells?"""
     return len({len(cells) for _, cells in grid if cells}) <= 1
 
 
-# A number with decimal point; a thousands comma must stand before every group of three digits
-POINT = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+|[1-9][0-9]{0,2}(?:,[0-9]{3})+(?:\.[0-9]*)?)(?:[eE][+-]?[0-9]+)?")
-INFINITE = re.compile(r"[+-]?(?:inf|infinity|∞)", re.IGNORECASE)
-MINUS = str.maketrans("\u2212\u2013", "--")      # the minus and the dash of typeset text
+# With decimal point; a thousands comma must stand before every group of three digits
+POINT = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+|[1-9][0-9]{0,2}(,[0-9]{3})+(\.[0-9]*)?)([eE][+-]?[0-9]+)?")
+INFINITE = re.compile(r"[+-]?(inf|infinity|∞)", re.IGNORECASE)
+MINUS = str.maketrans("\u2212\u2013", "--")      # of typeset text
 SWAP = str.maketrans(".,", ",.")
 
 
@@ -238,16 +215,13 @@ def to_number(cell, decimal):
 
 
 def _is_number(cell):
-    """Is it a number with decimal comma or point?"""
     return not _is_gap(cell) and (to_number(cell, ".") is not None or to_number(cell, ",") is not None)
 
 
-def _table(grid, decimal, remark):
-    """[(line, cells)] -> Table; finds the header and the decimal sign, checks every cell."""
+def _table(grid, decimal, *remarks):
     filled = [k for k, (_, cells) in enumerate(grid) if cells]
     grid = grid[filled[0]:filled[-1] + 1] if filled else []
-    if len(grid) > MAX_READ + 1:
-        raise _too_long(len(grid), MAX_READ)
+    _check_length(len(grid) - 1, MAX_READ, len(grid))
     width = len(grid[0][1]) if grid else 0
     for line, cells in grid:
         if cells and len(cells) != width:
@@ -257,35 +231,33 @@ def _table(grid, decimal, remark):
     has_header = not any(_is_number(column[0]) for column in columns) and any(
         not _is_gap(column[0]) and re.search(r"[^\W\d_]", column[0]) and any(map(_is_number, column))
         for column in columns)                      # a letter above numbers
-    start = int(has_header)
-    lines = np.array([line for line, _ in grid[start:]], dtype=int)
-    sign, sign_remark = _decimal_sign(grid[start:], decimal)
+    lines = np.array([line for line, _ in grid[has_header:]], dtype=int)
+    sign, *sign_remark = _decimal_sign(grid[has_header:], decimal)
     numbers, skipped = {}, []
     for name, column in zip(_unique([column[0] if has_header else "" for column in columns]), columns):
-        values = [to_number(cell, sign or ".") for cell in column[start:]]
+        cells = column[has_header:]
+        values = [to_number(cell, sign or ".") for cell in cells]
         if any(value is not None and value == value for value in values):
-            numbers[name] = _checked(name, values, column[start:], lines)
+            numbers[name] = _checked(name, values, cells, lines)
         elif any(column):
             skipped.append(name)
     if not numbers:
         raise InputError("There is no column of numbers in it.", "Tidak ada kolom bilangan di dalamnya.")
-    if len(lines) > MAX_READ:
-        raise _too_long(len(lines), MAX_READ)
+    _check_length(len(lines), MAX_READ)
     gaps = sum(int(np.isnan(values).sum()) for values in numbers.values())
-    note_en = (f"Rows: {len(lines)}; columns: {len(numbers)} ({_listed(numbers)}); gaps: {gaps}; decimal sign: "
-               f"{ {',': 'comma', '.': 'point', None: 'none'}[sign]}")
-    note_id = (f"Baris: {len(lines)}; kolom: {len(numbers)} ({_listed(numbers)}); sel kosong: {gaps}; tanda desimal: "
-               f"{ {',': 'koma', '.': 'titik', None: 'tidak ada'}[sign]}")
+    en, id = {",": ("comma", "koma"), ".": ("point", "titik"), None: ("none", "tidak ada")}[sign]
+    notes = [(f"Rows: {len(lines)}; columns: {len(numbers)} ({_listed(numbers)}); gaps: {gaps}; decimal sign: {en}",
+              f"Baris: {len(lines)}; kolom: {len(numbers)} ({_listed(numbers)}); sel kosong: {gaps}; tanda desimal: {id}")]
     if skipped:
-        note_en += f"; left out, no numbers: {_listed(skipped)}"
-        note_id += f"; tidak dipakai, tanpa bilangan: {_listed(skipped)}"
-    return Table(numbers, lines, tuple(skipped), sign, note_en + sign_remark[0] + remark[0] + ".",
-                 note_id + sign_remark[1] + remark[1] + ".")
+        notes.append((f"; left out, no numbers: {_listed(skipped)}", f"; tidak dipakai, tanpa bilangan: {_listed(skipped)}"))
+    note_en, note_id = map("".join, zip(*notes, *sign_remark, *remarks, ".."))
+    return Table(numbers, lines, tuple(skipped), sign, note_en, note_id)
 
 
-def _too_long(rows, limit):
-    return InputError(f"{rows} rows are too many; the limit is {limit}.",
-                      f"{rows} baris terlalu banyak; batasnya {limit}.")
+def _check_length(rows, limit, told=None):
+    if rows > limit:
+        raise InputError(f"{told or rows} rows are too many; the limit is {limit}.",
+                         f"{told or rows} baris terlalu banyak; batasnya {limit}.")
 
 
 def _listed(names):
@@ -293,7 +265,7 @@ def _listed(names):
 
 
 def _unique(names):
-    """Names in which nothing is empty (then its position) and nothing comes twice."""
+    """The names, none of them empty or twice."""
     result = []
     for position, name in enumerate(names, start=1):
         base = name = " ".join(str(name).split()) or str(position)
@@ -306,8 +278,8 @@ def _unique(names):
 
 
 def _decimal_sign(grid, decimal):
-    """The decimal sign of a grid (None: no number has one) and a remark in both languages."""
-    proof, maybe = {}, {}                           # sign -> the first cell that only it can explain, or that it may
+    """The decimal sign of a grid, None if no number has one, perhaps followed by a remark."""
+    proof, maybe = {}, {}                           # sign -> the first cell that it alone, or also it, explains
     for line, cells in grid:
         for cell in cells:
             if isinstance(cell, str) and ("," in cell or "." in cell):
@@ -317,40 +289,36 @@ def _decimal_sign(grid, decimal):
                 elif readings:
                     maybe.setdefault("," if "," in cell else ".", (line, cell))
     found = proof or maybe
-    if found and decimal:
-        return decimal, ("", "")
+    if not found or decimal:
+        return [decimal if found else None]
     if len(found) == 2:
         (line, cell), (other_line, other) = found["."], found[","]
         raise InputError(f"Both decimal point and comma occur: {cell[:40]!r} in line {line}, {other[:40]!r} in line "
                          f"{other_line}; use one, or choose the decimal sign.",
                          f"Ada titik dan koma desimal: {cell[:40]!r} di baris {line}, {other[:40]!r} di baris "
                          f"{other_line}; pakailah satu saja, atau pilih tanda desimal.")
-    if found is proof:
-        return next(iter(found), None), ("", "")
-    sign, (line, cell) = next(iter(found.items()), (None, (0, "")))
-    return (sign, ("", "")) if sign is None else (sign, (
-        f" ({cell[:40]!r} was read as a decimal, not as thousands)",
-        f" ({cell[:40]!r} dibaca sebagai desimal, bukan ribuan)"))
+    (sign, (_, cell)), = found.items()
+    return [sign] if proof else (sign, (f" ({cell[:40]!r} was read as a decimal, not as thousands)",
+                                        f" ({cell[:40]!r} dibaca sebagai desimal, bukan ribuan)"))
 
 
 def _checked(name, values, cells, lines):
-    """The values of a column as a float array (T,); InputError names the first cell that is no usable number."""
     for value, cell, line in zip(values, cells, lines):
         if value is None or abs(value) > MAX_NUMBER:
-            en = "neither a number nor a gap" if value is None else f"too large (beyond {MAX_NUMBER:g})"
-            id = "bukan bilangan dan bukan sel kosong" if value is None else f"terlalu besar (di atas {MAX_NUMBER:g})"
+            en, id = ("neither a number nor a gap", "bukan bilangan dan bukan sel kosong") if value is None else (
+                f"too large (beyond {MAX_NUMBER:g})", f"terlalu besar (di atas {MAX_NUMBER:g})")
             raise InputError(f"Line {line}, column {name[:40]!r}: {str(cell)[:40]!r} is {en}.",
                              f"Baris {line}, kolom {name[:40]!r}: {str(cell)[:40]!r} {id}.")
     return np.array(values, dtype=float)
 
 
-# --- writing: the form of the paper, alive -----------------------------------------------------------------------
+# --- writing: the form of the paper, alive ---------------------------------------------------------------------------
 
 FIRST = 7                                       # the first row of both tables
-SMALL = "[=0]0;[<0.001]0.000000E+00;0.000000"   # number format of a gain
-POWER = "0.000000E+00"                          # number format of a variance
-DARK, PALE, INPUT, RESULT = "1F3A5F", "DCE6F1", "FFF2CC", "E2F0D9"     # colours: titles, headings, inputs, results
-CHART_ROWS = 5000                               # a longer line chart only makes the program slow
+SMALL = "[=0]0;[<0.001]0.000000E+00;0.000000"   # format of a gain
+POWER = "0.000000E+00"                          # format of a variance
+DARK, PALE, INPUT, RESULT = "1F3A5F", "DCE6F1", "FFF2CC", "E2F0D9"     # colours
+CHART_ROWS = 5000                               # a longer chart is slow
 
 INPUTS = (("Q", "varians proses", "process var."), ("R", "varians ukur", "measurement var."),
           ("x0", "tebakan awal", "initial guess"), ("P0", "varians x0", "variance of x0"))
@@ -361,47 +329,37 @@ RTS_HEADS = ("No", "Terfilter /\nFiltered\nx", "Varians /\nVariance\nP", "P_pred
              "Penguatan /\nGain\nG", "Terhaluskan /\nSmoothed\nx_smooth", "Varians /\nVariance\nP_smooth")
 NOTES = (
     ("Apa ini?", "What is this?"),
-    ("Filter Kalman skalar untuk satu kolom pengukuran, dihitung oleh rumus biasa tanpa makro. Lembar Filter "
-     "menghitung maju (waktu nyata), lembar RTS mundur (setelah semua data ada).",
-     "A scalar Kalman filter for one column of measurements, computed by plain formulas without macros. Sheet Filter "
-     "runs forwards (real time), sheet RTS backwards (once all data is there)."),
-    ("Warna: kuning = masukan yang boleh diubah; hijau = hasil; putih = rumus antara.",
-     "Colours: yellow = input, change it freely; green = result; white = formulas in between."),
+    ("Filter Kalman skalar untuk satu kolom pengukuran, dihitung oleh rumus biasa tanpa makro: lembar Filter maju (waktu "
+     "nyata), lembar RTS mundur (setelah semua data ada). Kuning: masukan yang boleh diubah; hijau: hasil.",
+     "A scalar Kalman filter for one column of measurements, in plain formulas without macros: sheet Filter forwards "
+     "(real time), sheet RTS backwards (once all data is there). Yellow: input, change it freely; green: result."),
     ("Persamaan", "Equations"),
-    ("Model: x berubah acak dengan varians Q di setiap langkah; z mengukur x dengan varians derau R.",
-     "Model: x changes at random with variance Q in every step; z measures x with noise variance R."),
+    ("Model: x berubah acak dengan varians Q di setiap langkah; z mengukur x dengan varians derau R. Yang menentukan "
+     "adalah Q/R: yang kecil lebih halus, tetapi lebih terlambat.",
+     "Model: x changes at random with variance Q in every step; z measures x with noise variance R. What matters is Q/R: a "
+     "small one is smoother, but lags more."),
     ("Prediksi: x_pred = x sebelumnya; P_pred = P sebelumnya + Q (baris pertama memakai x0 dan P0).",
      "Prediction: x_pred = previous x; P_pred = previous P + Q (the first row uses x0 and P0)."),
-    ("Pembaruan: y = z - x_pred; K = P_pred / (P_pred + R); x = x_pred + K y; P = K R.",
-     "Update: y = z - x_pred; K = P_pred / (P_pred + R); x = x_pred + K y; P = K R."),
-    ("P = K R sama dengan (1 - K) P_pred pada makalah, tetapi tidak kehilangan angka ketika K mendekati 1.",
-     "P = K R equals the paper's (1 - K) P_pred, but it loses no digits when K is close to 1."),
+    ("Pembaruan: y = z - x_pred; K = P_pred / (P_pred + R); x = x_pred + K y; P = K R, sama dengan (1 - K) P_pred pada "
+     "makalah. Sel Terukur yang kosong: K = 0.",
+     "Update: y = z - x_pred; K = P_pred / (P_pred + R); x = x_pred + K y; P = K R, which equals the paper's "
+     "(1 - K) P_pred. An empty Measured cell: K = 0."),
     ("Penghalusan: G = P / P_pred berikutnya; x_smooth = x + G (x_smooth berikutnya - x); "
-     "P_smooth = G (Q + G P_smooth berikutnya), sama dengan P + G² (P_smooth - P_pred) berikutnya. Baris "
-     "terakhir: x dan P.",
-     "Smoothing: G = P / next P_pred; x_smooth = x + G (next x_smooth - x); "
-     "P_smooth = G (Q + G next P_smooth), which equals P + G² (next P_smooth - next P_pred). Last row: x and P."),
-    ("Sel Terukur yang kosong adalah pengukuran yang hilang: K = 0, prediksi dipertahankan, P membesar.",
-     "An empty Measured cell is a missing measurement: K = 0, the prediction is kept, P grows."),
+     "P_smooth = G (Q + G P_smooth berikutnya). Baris terakhir: x dan P.",
+     "Smoothing: G = P / next P_pred; x_smooth = x + G (next x_smooth - x); P_smooth = G (Q + G next P_smooth). "
+     "Last row: x and P."),
     ("Memakai data sendiri", "Using your own data"),
-    ("1. Tempelkan data sebagai bilangan ke kolom Terukur (B) lembar Filter, mulai baris {first}; data lama ditimpa.",
-     "1. Paste your data as numbers into the Measured column (B) of sheet Filter, from row {first} on, over "
-     "the old data."),
-    ("2. Data lebih panjang: salin baris terakhir (semua kolom) ke bawah sampai data habis, di lembar Filter dan juga "
-     "di lembar RTS, sampai baris yang sama. Data lebih pendek: kosongkan sel Terukur yang berlebih.",
-     "2. Longer data: copy the last row (all columns) down to where the data ends, on sheet Filter and also on sheet "
-     "RTS, to the same row. Shorter data: clear the Measured cells left over."),
-    ("3. Ubah Q dan R: yang menentukan adalah Q/R. Q/R kecil: lebih halus, tetapi lebih terlambat.",
-     "3. Change Q and R: what matters is Q/R. A small Q/R is smoother, but lags more."),
-    ("Sel bernama: Q_, R_, x0_, P0_ (Excel tidak mengizinkan nama R). N menghitung pengukuran yang ada. Grafik memuat "
-     "baris {first} sampai {chart_end}; tarik jangkauannya bila data Anda lebih panjang.",
-     "Named cells: Q_, R_, x0_, P0_ (Excel does not allow the name R). N counts the measurements there are. The charts "
-     "show rows {first} to {chart_end}; drag their range if your data is longer."),
+    ("Tempelkan data sebagai bilangan ke kolom Terukur (B) lembar Filter, mulai baris {first}. Data lebih panjang: salin "
+     "baris terakhir ke bawah sampai data habis, di kedua lembar, dan tarik jangkauan grafik (baris {first} sampai "
+     "{chart_end}). Data lebih pendek: kosongkan sel Terukur yang berlebih.",
+     "Paste your data as numbers into the Measured column (B) of sheet Filter, from row {first} on. Longer data: copy the "
+     "last row down to where the data ends, on both sheets, and drag the range of the charts (rows {first} to "
+     "{chart_end}). Shorter data: clear the Measured cells left over."),
+    ("Sel bernama: Q_, R_, x0_, P0_ (Excel tidak mengizinkan nama R).",
+     "Named cells: Q_, R_, x0_, P0_ (Excel does not allow the name R)."),
     ("Sumber", "Source"),
-    ("Formulir ini mengikuti bentuk lembar kerja Rudiyanto, Setiawan dan Saptomo (2006), yang memakai makro Excel "
-     "dengan kolom No, Measured, Filtered dan masukan N, Q, R.",
-     "The form follows the worksheet of Rudiyanto, Setiawan and Saptomo (2006), which used an Excel macro with the "
-     "columns No, Measured, Filtered and the inputs N, Q, R."),
+    ("Formulir ini mengikuti lembar kerja Rudiyanto, Setiawan dan Saptomo (2006), yang memakai makro Excel.",
+     "The form follows the worksheet of Rudiyanto, Setiawan and Saptomo (2006), which used an Excel macro."),
 )
 
 
@@ -409,150 +367,140 @@ def write_workbook(target, z, Q, R, x0=0.0, P0=1.0, name="Measured"):
     """Write the measurements z (T,) and live formulas that filter and smooth them into an .xlsx.
 
     target  a path or a binary file object
-    z       (T,) measurements, NaN = gap; up to 100,000
+    z       (T,) up to 100,000, NaN = gap
     Q, R    variances of process and measurement noise, unit of z squared; x0, P0 first guess and its variance
-    name    what was measured; always written as text, never as a formula
+    name    what was measured; never a formula
 
     InputError: z is empty, too long or infinite; Q, R, x0 or P0 out of range.
     """
     z = np.asarray(z, dtype=float)
     if z.ndim != 1 or len(z) == 0 or (np.abs(z) > MAX_NUMBER).any():
         raise InputError("z must be one column of finite numbers.", "z harus satu kolom bilangan berhingga.")
-    if len(z) > MAX_WRITE:
-        raise _too_long(len(z), MAX_WRITE)
+    _check_length(len(z), MAX_WRITE)
     for letter, value, ok, en, id in (("Q", Q, Q >= 0, ">= 0", ">= 0"), ("R", R, R > 0, "> 0", "> 0"),
                                       ("x0", x0, True, "finite", "berhingga"), ("P0", P0, P0 >= 0, ">= 0", ">= 0")):
         if not ok or not abs(value) <= MAX_NUMBER:
             raise InputError(f"{letter} is {value}, but must be {en}.", f"{letter} bernilai {value}, seharusnya {id}.")
-    book = Workbook(write_only=True)                # row by row: 100,000 rows need little memory
+    book = Workbook(write_only=True)                # row by row needs little memory
     book.calculation.fullCalcOnLoad = True
     book.properties.creator = "Filter Kalman, Makalah demi Makalah / The Kalman Filter, Paper by Paper"
-    last, chart_end = FIRST + len(z) - 1, FIRST + min(len(z), CHART_ROWS) - 1
+    chart_end = FIRST + min(len(z), CHART_ROWS) - 1
     scale = np.nanmax(np.abs(z), initial=0)
-    data = "0.000000" if scale == 0 or 0.01 <= scale < 1e6 else POWER       # number format of z and x
+    data = "0.000000" if scale == 0 or 0.01 <= scale < 1e6 else POWER       # format of z and x
     _write_filter(book, z, (Q, R, x0, P0), str(name), data, chart_end)
-    _write_rts(book, last, data, chart_end)
+    _write_rts(book, len(z), data, chart_end)
     _write_notes(book, chart_end)
     book.save(target)
 
 
 def _write_filter(book, z, inputs, name, data, chart_end):
-    """Sheet 1: the inputs on top, the filter forwards below, its chart beside."""
-    sheet = _new_sheet(book, "Filter", (7, 16, 17, 17, 16, 16, 16, 16),
-                       heights={1: 26, 2: 18, 3: 50, 4: 18, 5: 6, 6: 50})
-    sheet.append([_cell(sheet, "Filter Kalman skalar / Scalar Kalman filter", bold=True, size=15, colour=DARK,
-                        wrap=False)])
-    sheet.append([_cell(sheet, "Ubah sel kuning; semua rumus menghitung ulang. / "
-                               "Change the yellow cells; every formula follows.", wrap=False)])
+    sheet = _new_sheet(book, "Filter", (7, 16, 17, 17, 16, 16, 16, 16), (26, 18, 50, 18, 6, 50),
+                       "Filter Kalman skalar / Scalar Kalman filter",
+                       "Ubah sel kuning; semua rumus menghitung ulang. / Change the yellow cells; every formula follows.")
     labels = [f"{letter}\n{id} /\n{en}" for letter, id, en in INPUTS]
     labels += ["N\njumlah data /\nhow many", "Data\nnama kolom /\ncolumn name"]
     sheet.append([None] + [_cell(sheet, label, fill=PALE, centre=True) for label in labels])
     values = [_cell(sheet, float(value), bold=True, fill=INPUT, centre=True) for value in inputs]
     count = _cell(sheet, f"=COUNT(B{FIRST}:B1048576)", bold=True, centre=True)
-    sheet.append([None] + values + [count, _cell(sheet, _harmless(name), text=True, bold=True, wrap=False)])
+    name = " ".join(re.sub(r"[\x00-\x1f\x7f]", " ", name).split())[:100]         # no control characters
+    sheet.append([None] + values + [count, _cell(sheet, name, text=True, bold=True, wrap=False)])
     for (letter, _, _), column in zip(INPUTS, "BCDE"):
         book.defined_names[f"{letter}_"] = DefinedName(f"{letter}_", attr_text=f"Filter!${column}$4")
-    sheet.append([])
-    sheet.append([_head(sheet, text) for text in FILTER_HEADS])
-    formats = ("0", data, data, POWER, data, SMALL, data, POWER)
-    row = [_cell(sheet, None, format=format, fill={1: INPUT, 6: RESULT}.get(k), centre=k == 0)
-           for k, format in enumerate(formats)]
-    for k, z_k in enumerate(z):
-        r = FIRST + k
-        known = f"=IF(ISNUMBER(B{r}),"
-        contents = (k + 1, None if np.isnan(z_k) else float(z_k),
-                    f"=G{r - 1}" if k else "=x0_", f"=H{r - 1}+Q_" if k else "=P0_+Q_",
-                    f'{known}B{r}-C{r},"")', f"{known}D{r}/(D{r}+R_),0)",
-                    f"{known}C{r}+F{r}*E{r},C{r})", f"{known}F{r}*R_,D{r})")
-        for cell, content in zip(row, contents):    # the same cells again: each row is written at once
-            cell.value = content
-        sheet.append(row)
+
+    def contents(r):
+        known, z_k = f"=IF(ISNUMBER(B{r}),", z[r - FIRST]
+        return (r - FIRST + 1, None if np.isnan(z_k) else float(z_k),
+                f"=G{r - 1}" if r > FIRST else "=x0_", f"=H{r - 1}+Q_" if r > FIRST else "=P0_+Q_",
+                f'{known}B{r}-C{r},"")', f"{known}D{r}/(D{r}+R_),0)",
+                f"{known}C{r}+F{r}*E{r},C{r})", f"{known}F{r}*R_,D{r})")
+
+    _write_rows(sheet, FILTER_HEADS, ("0", data, data, POWER, data, SMALL, data, POWER), {1: INPUT, 6: RESULT}, contents, len(z))
     sheet.add_chart(_chart("Filter Kalman / Kalman filter", chart_end,
                            (sheet, 2, "Terukur / Measured"), (sheet, 7, "Terfilter / Filtered")), f"J{FIRST}")
 
 
-def _write_rts(book, last, data, chart_end):
-    """Sheet 2: the fixed-interval smoother of Rauch, Tung and Striebel, backwards, from the columns of sheet 1."""
-    sheet = _new_sheet(book, "RTS", (7, 16, 16, 20, 16, 16, 16), heights={1: 26, 2: 18, 3: 18, 4: 18, 5: 6, 6: 50})
-    sheet.append([_cell(sheet, "Penghalus RTS / RTS smoother", bold=True, size=15, colour=DARK, wrap=False)])
-    for text in ("Berjalan mundur: setiap nilai juga mengenal pengukuran sesudahnya. / "
-                 "Runs backwards: every value knows the later measurements too.",
-                 "G = P / P_pred'     x_smooth = x + G (x_smooth' - x)     P_smooth = G (Q + G P_smooth')",
-                 "Tanda ' = baris berikutnya. / The sign ' = the next row."):
-        sheet.append([_cell(sheet, text, wrap=False)])
-    sheet.append([])
-    sheet.append([_head(sheet, text) for text in RTS_HEADS])
+def _write_rts(book, T, data, chart_end):
+    sheet = _new_sheet(book, "RTS", (7, 16, 16, 20, 16, 16, 16), (26, 18, 18, 18, 6, 50),
+                       "Penghalus RTS / RTS smoother",
+                       "Berjalan mundur: setiap nilai juga mengenal pengukuran sesudahnya. / "
+                       "Runs backwards: every value knows the later measurements too.",
+                       "G = P / P_pred'     x_smooth = x + G (x_smooth' - x)     P_smooth = G (Q + G P_smooth')",
+                       "Tanda ' = baris berikutnya. / The sign ' = the next row.")
+
+    def contents(r):
+        known = f"=IF(ISNUMBER(E{r}),"              # not in the last row
+        return (f"=Filter!A{r}", f"=Filter!G{r}", f"=Filter!H{r}",
+                f'=IF(ISNUMBER(Filter!D{r + 1}),Filter!D{r + 1},"")',
+                f'=IF(ISNUMBER(D{r}),IF(D{r}=0,0,C{r}/D{r}),"")',
+                f"{known}B{r}+E{r}*(F{r + 1}-B{r}),B{r})", f"{known}E{r}*(Q_+E{r}*G{r + 1}),C{r})")
+
+    _write_rows(sheet, RTS_HEADS, ("0", data, POWER, POWER, SMALL, data, POWER), {5: RESULT}, contents, T)
     first_sheet = book["Filter"]
-    formats = ("0", data, POWER, POWER, SMALL, data, POWER)
-    row = [_cell(sheet, None, format=format, fill={5: RESULT}.get(k), centre=k == 0)
-           for k, format in enumerate(formats)]
-    for r in range(FIRST, last + 1):
-        known = f"=IF(ISNUMBER(E{r}),"              # only the last row has no row after it
-        contents = (f"=Filter!A{r}", f"=Filter!G{r}", f"=Filter!H{r}",
-                    f'=IF(ISNUMBER(Filter!D{r + 1}),Filter!D{r + 1},"")',
-                    f'=IF(ISNUMBER(D{r}),IF(D{r}=0,0,C{r}/D{r}),"")',
-                    f"{known}B{r}+E{r}*(F{r + 1}-B{r}),B{r})", f"{known}E{r}*(Q_+E{r}*G{r + 1}),C{r})")
-        for cell, content in zip(row, contents):
-            cell.value = content
-        sheet.append(row)
     sheet.add_chart(_chart("Penghalus RTS / RTS smoother", chart_end,
                            (first_sheet, 2, "Terukur / Measured"), (first_sheet, 7, "Terfilter / Filtered"),
                            (sheet, 6, "Terhaluskan / Smoothed")), f"I{FIRST}")
 
 
 def _write_notes(book, chart_end):
-    """Sheet 3: what everything means, Indonesian on the left, English on the right."""
-    sheet = _new_sheet(book, "Catatan - Notes", (76, 76), heights={1: 26}, frozen="A2")
-    sheet.append([_cell(sheet, text, bold=True, size=15, colour=DARK) for text in ("Catatan", "Notes")])
+    sheet = _new_sheet(book, "Catatan - Notes", (76, 76), (26,), frozen="A2")
+    sheet.append([_title(sheet, text, True) for text in ("Catatan", "Notes")])
     for row, pair in enumerate(NOTES, start=2):
         heading = len(pair[0]) < 25
         pair = [text.format(first=FIRST, chart_end=chart_end) for text in pair]
-        sheet.row_dimensions[row].height = 16 * -(-max(map(len, pair)) // 72) + 3           # rounded up
+        sheet.row_dimensions[row].height = 19 + 16 * ((max(map(len, pair)) - 1) // 72)
         sheet.append([_cell(sheet, text, bold=heading, fill=PALE if heading else None) for text in pair])
 
 
-def _new_sheet(book, title, widths, heights={}, frozen=f"A{FIRST}"):
-    """A sheet with its column widths (characters), row heights (points) and frozen rows, printed on landscape pages."""
+def _new_sheet(book, title, widths, heights, *texts, frozen=f"A{FIRST}"):
+    """A sheet with widths (characters), heights (points), a title and more lines."""
     sheet = book.create_sheet(title)
     sheet.freeze_panes = frozen
     for letter, width in zip("ABCDEFGH", widths):
         sheet.column_dimensions[letter].width = width
-    for row, height in heights.items():
+    for row, height in enumerate(heights, start=1):
         sheet.row_dimensions[row].height = height
     sheet.page_setup.orientation, sheet.page_setup.fitToHeight = "landscape", 0
     sheet.sheet_properties.pageSetUpPr.fitToPage = True
+    for k, text in enumerate(texts):
+        sheet.append([_cell(sheet, text, wrap=False) if k else _title(sheet, text, False)])
     return sheet
+
+
+def _title(sheet, text, wrap):
+    return _cell(sheet, text, bold=True, size=15, colour=DARK, wrap=wrap)
+
+
+def _write_rows(sheet, heads, formats, fills, contents, T):
+    """The heads, then T rows of contents(r)."""
+    sheet.append([])
+    sheet.append([_cell(sheet, text, bold=True, colour="FFFFFF", fill=DARK, centre=True) for text in heads])
+    row = [_cell(sheet, None, format=format, fill=fills.get(k), centre=k == 0) for k, format in enumerate(formats)]
+    for r in range(FIRST, FIRST + T):
+        for cell, content in zip(row, contents(r)):     # the same cells again: a row is written at once
+            cell.value = content
+        sheet.append(row)
 
 
 def _cell(sheet, value, format="General", text=False, bold=False, size=11, colour="000000", fill=None, centre=False,
           wrap=True):
-    """A styled cell. text=True: whatever the value begins with, it stays a text."""
+    """A styled cell. text=True: never a formula."""
     cell = WriteOnlyCell(sheet, value)
     if text:
         cell.data_type, cell.quotePrefix = "s", True
     cell.number_format, cell.font = format, Font("Calibri", size, bold, color=colour)
+    horizontal = "center" if centre else None
     if isinstance(value, str):
-        cell.alignment = Alignment(wrap_text=wrap, vertical="top" if not centre else "center",
-                                   horizontal="center" if centre else None)
+        cell.alignment = Alignment(wrap_text=wrap, vertical=horizontal or "top", horizontal=horizontal)
     elif centre:
-        cell.alignment = Alignment(horizontal="center")
+        cell.alignment = Alignment(horizontal=horizontal)
     if fill:
         cell.fill = PatternFill("solid", fgColor=fill)
         cell.border = Border(*(Side("thin", color="BFBFBF"),) * 4)
     return cell
 
 
-def _head(sheet, text):
-    return _cell(sheet, text, bold=True, colour="FFFFFF", fill=DARK, centre=True)
-
-
-def _harmless(name):
-    """A name without control characters, on one line, at most 100 characters."""
-    return " ".join(re.sub(r"[\x00-\x1f\x7f]", " ", name).split())[:100]
-
-
 def _chart(title, chart_end, *lines):
-    """A line chart of (sheet, column, title) from row FIRST to chart_end: first the measured dots, then the lines."""
+    """A chart of (sheet, column, title), column 2 as dots."""
     chart = LineChart()
     chart.title, chart.width, chart.height = title, 20, 11          # centimetres
     chart.x_axis.title, chart.y_axis.title = "No", "nilai / value"
@@ -562,17 +510,15 @@ def _chart(title, chart_end, *lines):
     chart.y_axis.majorGridlines.spPr = GraphicalProperties(ln=LineProperties(solidFill="E0E0E0"))
     chart.legend.position, chart.dispBlanksAs = "b", "gap"
     for (sheet, column, name), colour in zip(lines, ("7F7F7F", "0072B2", "D55E00")):
-        values = Reference(sheet, min_col=column, min_row=FIRST, max_row=chart_end)
-        series = Series(values, title=name)
-        series.smooth = False
+        series = Series(Reference(sheet, min_col=column, min_row=FIRST, max_row=chart_end), title=name)
+        series.smooth, series.marker.symbol = False, "none"
+        line = series.graphicalProperties.line
         if column == 2:
             series.marker.symbol, series.marker.size = "circle", 6
             series.marker.graphicalProperties.solidFill = colour
-            series.graphicalProperties.line.noFill = True
+            line.noFill = True
         else:
-            series.marker.symbol = "none"
-            series.graphicalProperties.line.solidFill = colour
-            series.graphicalProperties.line.width = 28000           # 1/12700 point
+            line.solidFill, line.width = colour, 28000              # 1/12700 point
         chart.series.append(series)
     chart.set_categories(Reference(lines[0][0], min_col=1, min_row=FIRST, max_row=chart_end))
     return chart

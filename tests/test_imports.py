@@ -1,16 +1,21 @@
-"""Who may import whom (the one rule of the house), and what importing the package must not load."""
+"""Who may import whom (the one rule of the house), what importing the package must not load, and how large it may be."""
 import ast
+import io
+import shutil
 import subprocess
 import sys
+import tarfile
+import zipfile
 from pathlib import Path
 
 import pytest
 
 LIBRARY = Path(__file__).resolve().parent.parent / "kalman_lib"
+ARCHIVE = 100_000       # bytes of all modules as one .tar.gz
 NUMERICS = {"numpy"}
 ALLOWED = {     # file -> what of our own it may import, and which packages; the standard library is free
     "models.py": (set(), NUMERICS),
-    "metrics.py": (set(), NUMERICS),
+    "metrics.py": (set(), NUMERICS | {"scipy"}),
     "simulate.py": ({"models"}, NUMERICS),
     "filters.py": ({"models"}, NUMERICS),
     "rows.py": (set(), NUMERICS),
@@ -18,7 +23,7 @@ ALLOWED = {     # file -> what of our own it may import, and which packages; the
     "montecarlo.py": ({"models", "fast"}, NUMERICS | {"tqdm"}),         # tqdm: only if it is there
     "__init__.py": ({"models", "metrics", "simulate", "filters", "fast", "montecarlo"}, set()),
     "spreadsheet.py": (set(), NUMERICS | {"openpyxl"}),
-    "recording.py": ({"spreadsheet"}, NUMERICS),
+    "recording.py": ({"spreadsheet"}, NUMERICS | {"scipy"}),
     "sketch.py": (set(), NUMERICS),
     "plots.py": ({"metrics", "models", "papers", "sketch"}, NUMERICS | {"matplotlib", "PIL"}),
     "widgets.py": ({"models", "metrics", "simulate", "filters", "fast", "papers", "plots", "spreadsheet", "recording"},
@@ -59,3 +64,22 @@ def test_importing_the_package_loads_no_heavy_library():
     code = f"import sys, kalman_lib, {papers}; print(*sys.modules)"
     loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
     assert not {"matplotlib", "ipywidgets", "scipy", "openpyxl", "IPython", "tqdm", "concurrent.futures"} & set(loaded)
+
+
+def test_the_package_stays_small():
+    archive = io.BytesIO()
+    with tarfile.open(fileobj=archive, mode="w:gz") as tar:
+        for path in sorted(LIBRARY.rglob("*.py")):
+            tar.add(path, path.relative_to(LIBRARY.parent))
+    assert len(archive.getvalue()) < ARCHIVE
+
+
+def test_the_wheel_holds_every_module(tmp_path):
+    source = tmp_path / "source"
+    shutil.copytree(LIBRARY, source / "kalman_lib", ignore=shutil.ignore_patterns("__pycache__"))
+    for name in ("pyproject.toml", "README.md", "LICENSE"):
+        shutil.copy(LIBRARY.parent / name, source)
+    subprocess.run([sys.executable, "-m", "pip", "wheel", "--quiet", "--no-index", "--no-deps", "--no-build-isolation",
+                    "--disable-pip-version-check", "-w", tmp_path, source], check=True)
+    wheel, = tmp_path.glob("*.whl")
+    assert {path.relative_to(LIBRARY.parent).as_posix() for path in LIBRARY.rglob("*.py")} <= set(zipfile.ZipFile(wheel).namelist())

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 from kalman_lib import plots
-from kalman_lib.sketch import Axes, log_ticks, tick_words, ticks
+from kalman_lib.sketch import Axes, tick_words, ticks
 
 RNG = np.random.default_rng(0)
 T = np.arange(1, 101)
 FIGURES = {
     "series": lambda: plots.series(T, z=RNG.normal(size=100), x=np.sin(T / 9), sigma=0.2 + 0 * T, truth=np.cos(T / 9),
                                    rivals={"MA(3)": np.sin(T / 8)}, names={"x": r"$x_{\mathrm{pred},1}$"}, ylabel="m/s"),
-    "curve": lambda: plots.curve({r"$\sigma_\theta$": (T, T ** 2.0)}, "$t$ (s)", r"$\sigma\,/\,\sigma_0$", log=True,
+    "curve": lambda: plots.curve({r"$\sigma_\theta$": (T, T ** 2.0)}, "$t$ (s)", r"$\sigma\,/\,\sigma_0$",
                                  points={"<a&b>": (10, 100)}, ylim=(0, None)),
     "gaussians": lambda: plots.gaussians({"$z$": (1.0, 0.5, plots.MEASUREMENT), "$x_1$": (2.0, 0.1, plots.ESTIMATE)}),
     "ellipses": lambda: plots.ellipses({"$x_0$": (np.array([0, 5]), np.diag([0.01, 1]), plots.PREDICTION)}, z=2.2, R=0.05),
@@ -101,9 +101,12 @@ def test_ticks_are_round(low, high, most, expected):
     assert np.allclose(ticks(low, high, most), expected)
 
 
-def test_log_ticks_and_their_words():
-    assert np.allclose(log_ticks(0.01, 1000), [0.01, 0.1, 1, 10, 100, 1000])
-    assert np.allclose(log_ticks(1, 8), [1, 2, 5])
+def test_a_logarithmic_axis_is_left_to_matplotlib():
+    with plots.live():
+        assert isinstance(plots.curve({"$y$": (T, T)}, "$x$", "$y$", log=True), plots.Figure)
+
+
+def test_the_words_of_ticks():
     assert [tick_words(v, [-0.5, 0.0, 0.5]) for v in (-0.5, 0.0, 0.5)] == ["−0.5", "0.0", "0.5"]
     assert tick_words(2e6, [0, 2e6]) == "2e+06"
 
