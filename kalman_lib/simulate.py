@@ -20,7 +20,7 @@ def simulate(model, steps, rng, u=None, x0=None):
     model LinearModel or NonlinearModel; steps T; rng numpy Generator; u (T, l) inputs, or (T,) if l = 1, row k drives the step to k;
     x0 (n,) the true state before the first step (None: drawn from N(model.x0, model.P0)). Returns a Trajectory.
     """
-    n = len(model.x0)
+    n, m = len(model.x0), model.R.shape[-1]
     u = None if u is None else np.asarray(u, dtype=float).reshape(len(u), -1)
     if u is not None and len(u) != steps:
         raise ValueError(_shape_message("u", u.shape, f"({steps}, l)"))
@@ -28,11 +28,13 @@ def simulate(model, steps, rng, u=None, x0=None):
         raise ValueError(_shape_message("R", model.R.shape, (steps, *model.R.shape[1:])))
     x = rng.multivariate_normal(model.x0, model.P0, method="eigh") if x0 is None else np.asarray(x0, dtype=float)
     w = rng.multivariate_normal(np.zeros(n), model.Q, size=steps, method="eigh")
+    if model.R.ndim == 2:
+        v = rng.multivariate_normal(np.zeros(m), model.R, size=steps, method="eigh")
+    else:
+        v = [rng.multivariate_normal(np.zeros(m), R, method="eigh") for R in model.R]
     states, measurements = [], []
     for k in range(steps):
-        R = model.R if model.R.ndim == 2 else model.R[k]
         x = model.transition(x, None if u is None else u[k])[0] + w[k]
-        v = rng.multivariate_normal(np.zeros(len(R)), R, method="eigh")
         states.append(x)
-        measurements.append(model.measure(x)[0] + v)
+        measurements.append(model.measure(x)[0] + v[k])
     return Trajectory(np.array(states), np.array(measurements), u)
