@@ -372,7 +372,7 @@ class OwnData(Board):
         self.load(self.built_in_source)
 
     def paste_field(self):
-        self.text = self.label(Textarea(rows=3, layout=dict(width="100%")), "paste", "placeholder")
+        self.text = self.label(Textarea(rows=3, layout=dict(width="99%")), "paste", "placeholder")
         self.sign = self.dropdown("decimal", ["auto", ",", "."])
         self.on(self.text, lambda: self.load("text"))
         self.on(self.sign, self.load)
@@ -929,7 +929,7 @@ class GyroMismatch(Board):
         self.sentence, self.maps = _text("4.5em"), {"cost": Screen(), "nees": Screen()}
         self.page(
             _row(*rows), _row(self.noise, self.truth), self.message, self.sentence,
-            _row(*(_column(300, self.under(name, screen)) for name, screen in self.maps.items())))
+            _row(*(_column(300, self.under(name, screen, kind=HTML)) for name, screen in self.maps.items())))
         self.calculate()
 
     def believe(self):
