@@ -576,6 +576,7 @@ def test_a_bad_address_is_refused_in_one_sentence(language, bad, site, opened):
 def test_bad_numbers_are_refused_and_the_picture_stays(site, opened):
     for name, page, _, element in explorers(site, opened):
         field = element.locator(".explorer-control:visible input.explorer-value:not(:disabled)").last
+        element.evaluate("async e => { e.explorer.draw(true); await e.explorer.painted(); }")      # those out of sight, too
         good, drawn = field.input_value(), picture(element)
         for bad in ("abc", "<b>1</b>", "=1+1", "1e308", "NaN", "", "1,2,3"):
             field.fill(bad)

@@ -238,17 +238,27 @@ function question(r, s, t, random) {
 // --- the map of a wrong sigma ----------------------------------------------------------------------------------------
 
 const HALF = 15, LEVELS = { cost: [1.1, 1.3, 1.6, 2, 2.5, 3], nees: [0.03, 0.1, 0.3, 1, 3, 10, 30] };
+const CELLS = Array.from({ length: 2 * HALF + 1 }, (_, k) => k - HALF);
 const factor = i => 10 ** (i / HALF);           // i = -HALF ... HALF: a tenth to ten times the true one
 
-/** cost(i, j) = RMSE / optimum and nees(i, j) of factor(i) sigma_w and factor(j) sigma_v. The gain depends on i - j only. */
-function costs(s) {
-  const rows = Array.from({ length: 4 * HALF + 1 }, (_, d) => expected(s, factor(d - 2 * HALF) * s.sigma_w, s.sigma_v)), best = rows[2 * HALF][0];
-  return { best, cost: (i, j) => rows[i - j + 2 * HALF][0] / best, nees: (i, j) => rows[i - j + 2 * HALF][1] / factor(j) ** 2 };
+/**
+ * cost(i, j) = RMSE / optimum and nees(i, j) of factor(i) sigma_w and factor(j) sigma_v, and steps: how many levels every
+ * cell has passed. The gain depends on i - j only.
+ */
+function costs(s, memo) {
+  const key = [s.sigma_w, s.sigma_v, s.T, s.duration].join();
+  if (memo.map?.key !== key) {
+    const rows = Array.from({ length: 4 * HALF + 1 }, (_, d) => expected(s, factor(d - 2 * HALF) * s.sigma_w, s.sigma_v)), best = rows[2 * HALF][0];
+    const cost = (i, j) => rows[i - j + 2 * HALF][0] / best, nees = (i, j) => rows[i - j + 2 * HALF][1] / factor(j) ** 2;
+    const passed = (value, levels) => CELLS.map(j => CELLS.map(i => levels.filter(level => value(i, j) >= level).length));
+    memo.map = { key, best, cost, nees, steps: { cost: passed(cost, LEVELS.cost), nees: passed(nees, LEVELS.nees) } };
+  }
+  return memo.map;
 }
 
 function compare(s, memo) {
   const believed = { other: true, believed_w: s.times_w * s.sigma_w, believed_v: s.times_v * s.sigma_v };
-  return { ...compute({ ...s, ...believed }, memo), ...costs(s), wrong: expected(s, believed.believed_w, believed.believed_v) };
+  return { ...compute({ ...s, ...believed }, memo), ...costs(s, memo), wrong: expected(s, believed.believed_w, believed.believed_v) };
 }
 
 /** Where value(place) crosses the level between two whole places from..to, or null. */
@@ -265,17 +275,17 @@ function map(title, name, places, alt) {
   return { title, xlabel: "rad/s", height: 260, half: true, xlog: true, ylog: true, alt,
     drag: (x, y, s) => ({ times_w: near(x / s.sigma_w), times_v: near(y / s.sigma_v) }),
     draw(r, s, t) {
-      const w = i => s.sigma_w * factor(i), v = j => s.sigma_v * factor(j), levels = LEVELS[name], step = (i, j) => levels.filter(level => r[name](i, j) >= level).length;
+      const w = i => s.sigma_w * factor(i), v = j => s.sigma_v * factor(j), levels = LEVELS[name], steps = r.steps[name];
       const paint = (ctx, X, Y, colours) => {
-        for (let j = -HALF; j <= HALF; j++) {
-          for (let i = -HALF, from = i; i <= HALF; i++) {
-            if (i < HALF && step(i, j) === step(i + 1, j)) continue;
-            ctx.globalAlpha = 0.1 * step(i, j);
-            const [left, right, top, bottom] = [X(w(from - 0.5)), X(w(i + 0.5)), Y(v(j + 0.5)), Y(v(j - 0.5))].map(Math.round);      // or seams would show
-            ctx.fillRect(left, top, right - left, bottom - top);
+        const edge = (place, size) => [-HALF, ...CELLS.map(i => i + 1)].map(i => Math.round(place(size(i - 0.5)))), lefts = edge(X, w), bottoms = edge(Y, v);      // or seams would show
+        steps.forEach((row, j) => {
+          for (let i = 0, from = 0; i < row.length; i++) {
+            if (row[i] === row[i + 1]) continue;
+            ctx.globalAlpha = 0.1 * row[i];
+            ctx.fillRect(lefts[from], bottoms[j + 1], lefts[i + 1] - lefts[from], bottoms[j] - bottoms[j + 1]);
             from = i + 1;
           }
-        }
+        });
         ctx.globalAlpha = 1;
         ctx.fillStyle = colours.words;
         ctx.font = `600 11px ${colours.font}`;
