@@ -36,7 +36,10 @@ def _quadratic(e, P):
 
 
 def chi2_bounds(dof, runs=1, probability=0.95):
-    """(low, high) between which the mean of `runs` independent NEES (dof = n) or NIS (dof = m) lies with a probability."""
+    """(low, high) between which the mean of `runs` independent NEES (dof = n) or NIS (dof = m) lies with a probability.
+
+    The sum of the values is chi-square with dof * runs degrees of freedom.
+    """
     tail = (1 - probability) / 2
     return tuple(chi2_quantile(p, dof * runs) / runs for p in (tail, 1 - tail))
 

@@ -58,11 +58,11 @@ _quick = False          # are figures drawn as quick sketches?
 def live():
     """Inside this block every function below that has one pair of axes, none of them logarithmic, returns a Sketch."""
     global _quick
-    _quick = True
+    before, _quick = _quick, True
     try:
         yield
     finally:
-        _quick = False
+        _quick = before
 
 
 @contextmanager
@@ -183,7 +183,8 @@ def plane(states, lines, points, xlabel, ylabel, height=3.4, limits=None):
         for (label, (x, y)), look in zip(lines.items(), (TRUTH, PREDICTION)):
             ax.plot(x, y, label=label, zorder=1.5, **look)
         _points(ax, points, 13, "*sD^v", TRUTH["color"])
-        _legend(ax)
+        if isinstance(figure, Figure):
+            _legend(ax)
     return figure
 
 
@@ -219,7 +220,7 @@ def surface(x, y, values, xlabel, ylabel, best=None, drop=(0.5, 2, 5, 10, 20, 50
     """A log-likelihood, values (len(y), len(x)), as its loss against the largest; best (x, y) as a mark."""
     with _figure(height, xlabel=xlabel, ylabel=ylabel) as (figure, ax):
         _heights(ax, x, y, np.max(values) - values, drop, (0, 2 * drop[-1]), "Blues_r", "-%g", 0.6, 8)
-        _points(ax, best and {r"$\max\ \ln L$": best}, 7, zorder=2)
+        _points(ax, None if best is None else {r"$\max\ \ln L$": best}, 7, zorder=2)
     return figure
 
 

@@ -1,6 +1,12 @@
-"""Files of phone apps with gyroscope, accelerometer and magnetometer in, one tidy Recording out.
+"""Recordings of a gyroscope, an accelerometer and a magnetometer: files of phone apps in, one tidy Recording out.
 
-A sensor is recognised by the unit in its header, in any language.
+`read_recording` understands the exports of phyphox and Sensor Logger and a plain CSV; `read_ximu` the recording that
+comes with the book; `rest_seconds` says how long a recording lies still at its start. A sensor is recognised by the
+unit in its header, so the language of the header does not matter. Whatever cannot be understood raises InputError;
+whatever was converted, resampled or left out is told in Recording.notes.
+
+The body frame is forward-right-down (FRD). A phone's own axes are x to the right edge, y to the top edge and z out of
+the screen; so forward = y, right = x, down = -z. The accelerometer measures specific force: at rest it points up.
 """
 import csv
 import gzip
@@ -9,7 +15,6 @@ import re
 import unicodedata
 import zipfile
 import zlib
-from array import array
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
@@ -83,12 +88,17 @@ class Signal(NamedTuple):
 
 
 def read_recording(files, axes=None):
-    """Files of one recording -> Recording at the times of the gyroscope that all sensors cover.
+    """Files of one recording -> Recording.
 
-    files   {name: bytes}, or a path (file, .zip or folder), or a list of paths: the exports of phyphox and Sensor Logger,
-            or a plain CSV with the header "t (s), gx (deg/s), gy .., ax (g), .., mx (uT), .."
-    axes    the sensors' own axes: "phone" (x right, y to the top edge, z out of the screen), "flu" (forward-left-up) or
-            "frd"; None: "phone" for the apps, "frd" for a plain CSV
+    files   {name: bytes}, or a path (file, .zip or folder), or a list of paths. Understood are
+            phyphox         CSV, .zip of CSVs or .xlsx; headers such as "Gyroscope x (rad/s)", in any language
+            Sensor Logger   .zip or its CSVs: Gyroscope, TotalAcceleration (or Accelerometer and Gravity), Magnetometer,
+                            Orientation, Metadata
+            a plain CSV     "t (s), gx (deg/s), gy .., ax (g), .., mx (uT), .."; the unit in the header decides
+    axes    the sensors' own axes: "phone", "flu" (forward-left-up) or "frd"; None: "phone" for the apps, "frd" for a
+            plain CSV
+
+    Everything is interpolated linearly to the times of the gyroscope, over the time that all sensors cover.
 
     InputError: a sensor is missing, a unit is unknown or cannot be right, a cell is no number, times do not increase,
     sensors do not overlap in time, or a file is empty, too large or of another kind.
@@ -148,16 +158,25 @@ def rest_seconds(recording, window=0.25):
 
 
 def read_ximu(path):
-    """The x-IMU recording of the book (notebooks/data/ximu.csv.gz, 12,626 real samples at 256 Hz) -> Recording.
+    """The x-IMU recording of the book (notebooks/data/ximu.csv.gz) -> Recording with the device's own angles.
 
-    Units and axes are converted, nothing is smoothed. The device gives its angles with every second sample, the others
-    are interpolated. Its yaw starts anywhere: compare it without its offset.
+    12,626 samples at 256 Hz, real and unsmoothed. The device's frame is forward-left-up with angles in a world whose
+    z points up; here both are turned to forward-right-down and north-east-down. Its angles come with every second
+    sample (reference[::2]); those in between are interpolated. Its yaw starts anywhere: compare it without its offset.
     """
     with gzip.open(path, "rt", encoding="ascii") as file:
         table = np.genfromtxt(file, delimiter=",", skip_header=1)
-    t, turn, known = np.arange(len(table)) / 256, AXES["flu"], np.isfinite(table[:, 9])
+    t = np.arange(len(table)) / 256
+    turn = AXES["flu"]
+    known = np.isfinite(table[:, 9])
+    reference = _interpolate_angles(t, t[known], np.radians(table[known, 9:12]) @ turn)
+    notes = []
+    _say(notes, "Real data of an x-IMU; units and axes were converted, nothing was smoothed.",
+         "Data nyata dari sebuah x-IMU; satuan dan sumbunya diubah, tidak ada yang dihaluskan.")
+    _say(notes, "The device gives its own angles at 128 Hz; between them they are interpolated.",
+         "Alat itu memberi sudutnya sendiri pada 128 Hz; di antaranya sudut itu diinterpolasi.")
     return Recording(t, np.radians(table[:, 0:3]) @ turn, GRAVITY * table[:, 3:6] @ turn, table[:, 6:9] @ turn, 256.0,
-                     [], _interpolate_angles(t, t[known], np.radians(table[known, 9:12]) @ turn))
+                     notes, reference)
 
 
 # --- files -> sheets -------------------------------------------------------------------------------------------------
@@ -169,8 +188,10 @@ def _open(files):
             if not path.exists():
                 raise InputError(f"There is no file {str(path)!r}.", f"Tidak ada berkas {str(path)!r}.")
         paths = [part for path in paths for part in (sorted(path.rglob("*")) if path.is_dir() else [path])]
-        files = {str(path): path.read_bytes() for path in paths
-                 if path.is_file() and path.suffix.lower() in (".csv", ".txt", ".tsv", ".xlsx", ".xls", ".zip")}
+        paths = [path for path in paths
+                 if path.is_file() and path.suffix.lower() in (".csv", ".txt", ".tsv", ".xlsx", ".xls", ".zip")]
+        _check_size(sum(path.stat().st_size for path in paths))
+        files = {str(path): path.read_bytes() for path in paths}
     tables = {}
     for name, content in files.items():
         if bytes(content[:2]) == b"PK" and not name.lower().endswith(".xlsx"):
@@ -243,10 +264,24 @@ def _read_csv(place, text):
                          "atas bilangan.")
     if not body:
         raise InputError(f"{place}: there is no row below the header.", f"{place}: tidak ada baris di bawah judul.")
+    wanted = [k for k, name in enumerate(names) if _column(name)[3] or name in ("roll", "pitch", "yaw")]
+    comma, rows = separator != "," and "," in body, body.count("\n") + 1
+    values = np.full((rows, len(names)), np.nan)
+    try:
+        if comma and "." in body or '"' in body or "\n\n" in body or body.count(separator) != rows * (len(names) - 1):
+            raise ValueError
+        with io.TextIOWrapper(io.BytesIO((body.replace(",", ".") if comma else body).encode()), encoding="utf-8") as file:
+            values[:, wanted] = np.loadtxt(file, delimiter=separator, ndmin=2, comments=None, usecols=wanted)
+        return Sheet(place, names, values, line + 1 + np.arange(rows))
+    except ValueError:                              # not only numbers
+        return _read_cells(place, names, body, separator, line, wanted)
+
+
+def _read_cells(place, names, body, separator, line, wanted):
+    """The same, cell by cell."""
     quoted = re.search(r'"[+-]?[0-9]+,[0-9]+([eE][+-]?[0-9]+)?"', body[:5000])
     sign = "," if separator != "," and "," in body or quoted else "."
-    wanted = [_column(name)[3] or name in ("roll", "pitch", "yaw") for name in names]
-    values, lines = array("d"), []
+    values, lines = [], []
     for cells in (reader := csv.reader(io.StringIO(body), delimiter=separator, skipinitialspace=separator != "\t")):
         at = line + reader.line_num
         if not any(map(str.strip, cells)):
@@ -254,14 +289,11 @@ def _read_csv(place, text):
         if len(cells) != len(names):
             raise InputError(f"{place}, line {at}: {len(cells)} cells instead of {len(names)}.",
                              f"{place}, baris {at}: {len(cells)} sel, seharusnya {len(names)}.")
-        try:
-            row = [float(cell if sign == "." else cell.replace(".", "?").replace(",", ".")) for cell in cells]
-        except ValueError:                          # not only numbers: cell by cell
-            row = [_number(place, at, name, cell.strip(), sign) if want else np.nan
-                   for name, cell, want in zip(names, cells, wanted)]
-        values.extend(row)
+        row = np.full(len(names), np.nan)
+        row[wanted] = [_number(place, at, names[k], cells[k].strip(), sign) for k in wanted]
+        values.append(row)
         lines.append(at)
-    return Sheet(place, names, np.reshape(values, (-1, len(names))), np.array(lines))
+    return Sheet(place, names, np.array(values), np.array(lines))
 
 
 def _number(place, line, name, cell, sign):
@@ -415,7 +447,7 @@ def _total_acceleration(signals, device, notes):
     if acc.source == "logger" and _is_apple(device):
         signals["acc"] = acc._replace(values=-acc.values)
         _say(notes, "iPhone: the sign of the acceleration was turned.", "iPhone: tanda percepatan dibalik.")
-    elif acc.source == "logger" and "platform" not in device:
+    elif acc.source == "logger" and not device.get("platform"):
         _say(notes, "Metadata.csv is missing: the signs of Android were taken (an iPhone's acceleration is opposite).",
              "Metadata.csv tidak ada: dipakai tanda Android (percepatan iPhone berlawanan).")
 
@@ -480,10 +512,26 @@ def _interpolate(t, signal):
 
 
 def _interpolate_angles(t, times, angles):
-    """Roll, pitch, yaw (n, 3) rad at times (n,) -> at t (N,); as rotations, for angles jump at +-180 degrees."""
-    from scipy.spatial.transform import Rotation, Slerp
-    attitudes = Rotation.from_euler("ZYX", angles[:, ::-1])
-    return Slerp(times, attitudes)(np.clip(t, times[0], times[-1])).as_euler("ZYX")[:, ::-1]
+    """Roll, pitch, yaw (n, 3) rad at times (n,) -> at t (N,): through quaternions, as angles jump at +-180 degrees."""
+    q = _quaternions(angles)
+    flips = np.cumprod(np.append(1, np.where((q[1:] * q[:-1]).sum(axis=1) < 0, -1, 1)))      # q and -q are one attitude
+    q = np.column_stack([np.interp(t, times, part) for part in (q * flips[:, None]).T])
+    return _angles(q / np.linalg.norm(q, axis=1, keepdims=True))
+
+
+def _quaternions(angles):
+    """Roll, pitch, yaw (N, 3) rad -> unit quaternions (N, 4), w first, body to north-east-down."""
+    (cr, cp, cy), (sr, sp, sy) = np.cos(angles.T / 2), np.sin(angles.T / 2)
+    return np.column_stack([cr * cp * cy + sr * sp * sy, sr * cp * cy - cr * sp * sy,
+                            cr * sp * cy + sr * cp * sy, cr * cp * sy - sr * sp * cy])
+
+
+def _angles(q):
+    """The inverse of _quaternions."""
+    w, x, y, z = q.T
+    return np.column_stack([np.arctan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)),
+                            np.arcsin(np.clip(2 * (w * y - z * x), -1, 1)),
+                            np.arctan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))])
 
 
 def _phone_reference(angles, acc, axes, device, notes):

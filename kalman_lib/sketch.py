@@ -10,8 +10,10 @@ from html.entities import html5
 import numpy as np
 
 GREY, DARK, GRID, PAPER = "#6b7278", "#3a4147", "#e3dfd6", "#fdfcf9"
-POINTS = 600                # of a longer line the smallest and the largest value of every piece, of more dots every second ...
-SHAPES = {"o": "m-{0} 0a{0} {0} 0 1 0 {1} 0a{0} {0} 0 1 0-{1} 0", "s": "m-{0}-{0}h{1}v{1}h-{1}z"}
+POINTS = 600                # of a longer series the smallest and the largest value of every piece, and where a gap begins
+SHAPES = {"o": "m-{0} 0a{0} {0} 0 1 0 {1} 0a{0} {0} 0 1 0-{1} 0", "s": "m-{0}-{0}h{1}v{1}h-{1}z",
+          "D": "m0-{0}l{0} {0}-{0} {0}-{0}-{0}z", "^": "m0-{0}l{0} {1}h-{1}z", "v": "m0 {0}l{0}-{1}h-{1}z",
+          "x": "m-{0}-{0}l{1} {1}m0-{1}l-{1} {1}", "+": "m-{0} 0h{1}m-{0}-{0}v{1}", "*": "m-{0} 0h{1}m-{0}-{0}v{1}"}
 
 
 class Sketch:
@@ -44,10 +46,10 @@ class Axes:
 
     def plot(self, x, y, mark="", label=None, zorder=2, **look):
         x, y = (np.atleast_1d(np.asarray(values, dtype=float)) for values in (x, y))
-        dots, step = mark or look.get("linestyle") == "none", -(-len(x) // POINTS)
+        dots = mark or look.get("linestyle") == "none"
         look = {"color": GREY, "marker": mark, **look} if dots else {"color": GREY, **look, "marker": ""}
         self._add(x, y, zorder, label, look, lambda X, Y: (
-            _dots(X(x[::step]), Y(y[::step]), look) if dots else _line(*_thin(X(x), Y(y)), look)))
+            (_dots if dots else _line)(*_thin(X(x), Y(y)), look)))
 
     def fill_between(self, x, low, high=0, label=None, **look):
         x, low, high = np.broadcast_arrays(np.asarray(x, dtype=float), low, high)
@@ -202,8 +204,10 @@ def _thin(x, y):
         return x, y
     size = -(-len(x) // (POINTS // 2))
     starts = np.arange(0, len(x) - len(x) % size, size)
-    pieces = np.nan_to_num(y[:len(starts) * size]).reshape(-1, size)
-    keep = np.unique(np.r_[starts + pieces.argmin(axis=1), starts + pieces.argmax(axis=1), starts[-1] + size:len(x)])
+    pieces = y[:len(starts) * size].reshape(-1, size)
+    gap = np.isnan(pieces)
+    kept = [np.where(gap, np.inf, pieces).argmin(axis=1), np.where(gap, -np.inf, pieces).argmax(axis=1), gap.argmax(axis=1)]
+    keep = np.unique(np.r_[starts + kept[0], starts + kept[1], starts + kept[2], starts[-1] + size:len(x)])
     return x[keep], y[keep]
 
 
@@ -250,8 +254,8 @@ def _words(text):
 
 
 def _math(text):
-    text = re.sub(r"\\sqrt\{([^{}]*)\}", r"√\1", text)
     text = re.sub(r"\\mathrm\{([^{}]*)\}", "\x01\\1\x02", text)                     # upright
+    text = re.sub(r"\\sqrt\{([^{}]*)\}", r"√\1", text).replace(r"\cdot", "·")
     text = re.sub(r"\\([A-Za-z]+)\s*", lambda name: html5.get(name[1] + ";", name[1]), text)
     text = text.replace(r"\,", "\u2009").replace(r"\ ", " ").replace("-", "−")
     parts = re.split(r"_(?:\{([^{}]*)\}|(.))", text)            # text, subscript in braces, subscript of one letter, text ...

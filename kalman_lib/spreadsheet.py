@@ -31,8 +31,9 @@ class InputError(ValueError):
 
 @dataclass(frozen=True, eq=False)
 class Table:
-    """What was read: columns {name: float array (T,), NaN = gap}; lines (T,) where each row stands; skipped: names of
-    columns without a number; decimal "," or "." or None; note_en, note_id: what was understood."""
+    """What was read: columns {name: float array (T,), NaN = gap}, in the units of the source; lines (T,) the line or row of
+    each in the source; skipped: names of columns without a number (dates, labels); decimal "," or "." (None: no number
+    had one); note_en, note_id: one sentence that says what was understood."""
     columns: dict
     lines: np.ndarray
     skipped: tuple

@@ -915,15 +915,15 @@ class GyroMismatch(Board):
     @dataclass(frozen=True)
     class Params(gyro_paper.Params):
         """The truth, and how many times its sigmas the filter believes."""
-        times_w: float = param(1, min=0.1, max=10, step=0.1, unit="", log=True,
-                               id="σ_w menurut filter dibagi yang benar", en="σ_w as the filter believes it, over the true one")
-        times_v: float = param(1, min=0.1, max=10, step=0.1, unit="", log=True,
-                               id="σ_v menurut filter dibagi yang benar", en="σ_v as the filter believes it, over the true one")
+        c_w: float = param(1, min=0.1, max=10, step=0.1, unit="", log=True,
+                           id="σ_w menurut filter dibagi yang benar", en="σ_w as the filter believes it, over the true one")
+        c_v: float = param(1, min=0.1, max=10, step=0.1, unit="", log=True,
+                           id="σ_v menurut filter dibagi yang benar", en="σ_v as the filter believes it, over the true one")
 
     def __init__(self, p=None):
         super().__init__(self.Params(**vars(p or gyro_paper.Params())))
         self.flights = {}               # what they depend on -> the runs
-        signs = {"times_w": "c_w", "times_v": "c_v", "sigma_w": "σ_w", "sigma_v": "σ_v"}
+        signs = {"c_w": "c_w", "c_v": "c_v", "sigma_w": "σ_w", "sigma_v": "σ_v"}
         rows = [self.log_field(name, sign, unit=True) for name, sign in signs.items()]
         self.noise, self.truth = self.button("noise", self.renew), self.button("truth", self.believe)
         self.sentence, self.maps = _text("4.5em"), {"cost": Screen(), "nees": Screen()}
@@ -933,14 +933,14 @@ class GyroMismatch(Board):
         self.calculate()
 
     def believe(self):
-        for part in (self.times_w, self.times_v):
+        for part in (self.c_w, self.c_v):
             self.put(part, value="1")
         self.calculate()
 
     def calculate(self):
         """Both maps, without data, and the chosen pair from 500 runs; nothing changes before all of it is known."""
         p, grid = self.settings(), 10 ** self.POWERS
-        w, v = p.times_w * p.sigma_w, p.times_v * p.sigma_v
+        w, v = p.c_w * p.sigma_w, p.c_v * p.sigma_v
         rmse_map, nees_map = gyro_paper.expected(p, grid * p.sigma_w, grid[:, np.newaxis] * p.sigma_v)
         best, wrong = rmse_map[15, 15], gyro_paper.expected(p, w, v)
         drawn = p.sigma_w, p.sigma_v, self.seed

@@ -23,7 +23,7 @@ ALLOWED = {     # file -> what of our own it may import, and which packages; the
     "montecarlo.py": ({"models", "fast"}, NUMERICS | {"tqdm"}),         # tqdm: only if it is there
     "__init__.py": ({"models", "metrics", "simulate", "filters", "fast", "montecarlo"}, set()),
     "spreadsheet.py": (set(), NUMERICS | {"openpyxl"}),
-    "recording.py": ({"spreadsheet"}, NUMERICS | {"scipy"}),
+    "recording.py": ({"spreadsheet"}, NUMERICS),
     "sketch.py": (set(), NUMERICS),
     "plots.py": ({"metrics", "models", "papers", "sketch"}, NUMERICS | {"matplotlib", "PIL"}),
     "widgets.py": ({"models", "metrics", "simulate", "filters", "fast", "papers", "plots", "spreadsheet", "recording"},

@@ -1,6 +1,7 @@
 """Files in each app's format, made from a motion whose numbers follow from geometry; and the real x-IMU recording."""
 import gzip
 import io
+import warnings
 import zipfile
 from pathlib import Path
 
@@ -316,6 +317,15 @@ def test_sensor_logger_without_metadata_tells_which_sign_was_taken():
     assert recording.reference is None and said(recording, "differs from gravity")
 
 
+def test_sensor_logger_with_half_a_metadata_file_and_a_phone_upright():
+    files, _ = sensor_logger({"pitch": np.pi / 2})
+    files["Metadata.csv"] = b"version,device name,platform\n3,Phone\n"
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        recording = read_recording(files)
+    assert said(recording, "Metadata.csv is missing")
+
+
 def test_sensor_logger_needs_gravity():
     files, _ = sensor_logger(TILTED)
     del files["TotalAcceleration.csv"], files["Gravity.csv"]
@@ -481,7 +491,8 @@ def test_missing_sensors():
 
 
 @pytest.mark.parametrize("cell, words", [("abc", "'abc' is not a number"), ("nan", "missing"), ("", "missing"),
-                                         ("inf", "infinite"), ("1;5", "not a number")])
+                                         ("inf", "infinite"), ("1;5", "not a number"), ("1_000", "not a number"),
+                                         ("٢", "not a number")])
 def test_a_bad_cell_is_named_with_its_line(cell, words):
     refused(own(cells={(10, 2): cell}), "own.csv, line 12", words)
 
@@ -532,6 +543,9 @@ def test_other_kinds_of_files(tmp_path):
     refused({}, "no table")
     refused(tmp_path, "no table")
     refused(tmp_path / "nothing.csv", "no file")
+    with open(tmp_path / "huge.csv", "wb") as file:
+        file.truncate(2_000_000_000)
+    refused(tmp_path, "2000 MB")                            # before it is read
 
 
 def test_two_recordings_at_once():
@@ -544,8 +558,9 @@ def test_a_long_recording_is_read_and_a_huge_one_refused():
     line = "{:.3f},0,0,0.01,0,0,-9.81\n"
     header = "t (s),gx (rad/s),gy (rad/s),gz (rad/s),ax (m/s2),ay (m/s2),az (m/s2)\n"
     content = (header + "".join(line.format(k / 1000) for k in range(rows))).encode()
-    recording = read_recording({"long.csv": content})
-    assert len(recording.t) == rows and recording.rate == pytest.approx(1000)
+    for long in (content, content.replace(b"\n", b",calm\n").replace(b"2),calm", b"2),remark")):
+        recording = read_recording({"long.csv": long})
+        assert len(recording.t) == rows and recording.rate == pytest.approx(1000)
     refused({"huge.csv": header.encode() + b"1\n" * 2_000_020}, "huge.csv", "2000000")
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
@@ -602,6 +617,10 @@ def test_the_ximu_file_is_the_published_one(ximu):
     np.testing.assert_allclose(ximu.acc[0] / G, [-0.009277344, -0.01171875, -1.050293])
     np.testing.assert_allclose(ximu.mag[0], [0.3051758, -0.01708984, 0.2055664])
     np.testing.assert_allclose(np.degrees(ximu.reference[0]), [-1.707944, -0.6089312, 150.0818], rtol=1e-6)
+
+
+def test_the_ximu_tells_what_was_converted(ximu):
+    assert said(ximu, "axes were converted") and said(ximu, "128 Hz")
 
 
 def test_the_ximu_lies_still_first(ximu):

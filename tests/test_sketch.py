@@ -84,15 +84,21 @@ def test_a_gap_interrupts_a_line_and_hides_a_dot():
     assert line.count("M") == 2 and dots.count("M") == 3
 
 
-def test_a_long_line_keeps_its_peaks():
-    y = np.zeros(100_000)
-    y[54_321] = 7.0
+@pytest.mark.parametrize("gap", [False, True])
+@pytest.mark.parametrize("mark", ["", "o"])
+@pytest.mark.parametrize("length", [601, 1261, 3000, 100_000])
+def test_a_long_series_keeps_its_peaks(length, mark, gap):
+    y = np.zeros(length)
+    y[length // 2] = 7.0
+    if gap:
+        y[length // 2 - 1] = np.nan
     ax = Axes()
-    ax.plot(np.arange(len(y)), y, color="#123456")
+    ax.plot(np.arange(len(y)), y, mark, color="#123456")
     svg = ax.svg(480, 300)
     assert len(svg) < 40_000
-    places = np.array(re.findall(r"-?[\d.]+", re.search(r'd="M([^"]*)" stroke="#123456"', svg)[1]), dtype=float)
-    assert places[1::2].min() < 0.06 * places[1::2].max()
+    places = re.search(r'd="([^"]*)" stroke="#123456"', svg)[1].replace("h0", "").replace("M", " ").split()
+    heights = np.array(places[1::2], dtype=float)
+    assert heights.min() < 0.06 * heights.max()
 
 
 @pytest.mark.parametrize("low, high, most, expected", [
@@ -104,6 +110,16 @@ def test_ticks_are_round(low, high, most, expected):
 def test_a_logarithmic_axis_is_left_to_matplotlib():
     with plots.live():
         assert isinstance(plots.curve({"$y$": (T, T)}, "$x$", "$y$", log=True), plots.Figure)
+
+
+def test_a_live_figure_inside_another_ends_only_itself():
+    with plots.live():
+        with plots.live():
+            pass
+        figure = plots.plane({}, {"$a$": (T, T)}, {name: (1, 1) for name in "abcd"}, "$x$", "$y$")
+        assert figure.svg().count("<path") > 4
+        assert "<path" in plots.poles({name: np.array([0.5j]) for name in "abcde"}).svg()
+        assert "<path" in plots.surface(T, T, -np.outer(T, T), "$Q$", "$R$", best=np.array([1, 2])).svg()
 
 
 def test_the_words_of_ticks():

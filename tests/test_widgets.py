@@ -457,7 +457,7 @@ def test_the_gyro_tells_the_filter_s_own_numbers():
 def test_the_map_of_a_wrong_sigma_and_500_runs():
     assert widgets.gyro_mismatch() is None
     board = widgets.GyroMismatch()
-    for name, typed in dict(sigma_w="2,5", sigma_v="4", times_w="3", times_v="0,5").items():
+    for name, typed in dict(sigma_w="2,5", sigma_v="4", c_w="3", c_v="0,5").items():
         getattr(board, name).value = typed
     p, grid = gyro.Params(sigma_w=2.5, sigma_v=4), 10 ** np.linspace(-1, 1, 31)
     rmse_, nees_ = gyro.expected(p, grid * 2.5, grid[:, np.newaxis] * 4)
@@ -470,10 +470,10 @@ def test_the_map_of_a_wrong_sigma_and_500_runs():
                np.mean(squares / told.P[:, 0, 0][:, np.newaxis])]
     assert outcome(board) == [float(f"{value:.3g}") for value in numbers] and board.message.value == ""
     before = board.sentence.value, *(screen.value for screen in board.maps.values())
-    for name, typed in (("times_w", "11"), ("sigma_v", "0"), ("sigma_w", "x")):
+    for name, typed, said in (("c_w", "11", "c_w = 11.0: yang diterima 0.1 sampai 10."), ("sigma_v", "0", "rad."), ("sigma_w", "x", "bukan bilangan")):
         kept = getattr(board, name).value
         getattr(board, name).value = typed
-        assert board.message.value and (board.sentence.value, *(screen.value for screen in board.maps.values())) == before
+        assert said in board.message.value and (board.sentence.value, *(screen.value for screen in board.maps.values())) == before
         getattr(board, name).value = kept
     board.noise.click()
     assert board.sentence.value != before[0] and board.maps["nees"].value == before[2]          # the maps hold no noise

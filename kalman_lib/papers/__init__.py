@@ -17,5 +17,6 @@ def check(p):
     for f in fields(p):
         value, low, high = getattr(p, f.name), f.metadata["min"], f.metadata["max"]
         if not low <= value <= high:
-            raise ValueError(f"{f.name} = {value}: accepted are {low} to {high} {f.metadata['unit']}. / "
-                             f"{f.name} = {value}: yang diterima {low} sampai {high} {f.metadata['unit']}.")
+            high = f"{high} {f.metadata['unit']}".strip()
+            raise ValueError(f"{f.name} = {value}: accepted are {low} to {high}. / "
+                             f"{f.name} = {value}: yang diterima {low} sampai {high}.")
