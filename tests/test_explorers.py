@@ -523,9 +523,40 @@ def test_every_text_is_in_the_language_of_its_page(site, opened):
     spoken = {language: [texts(element) for *_, element in explorers(site, opened, language)] for language in ("id", "en")}
     assert spoken["id"] and len(spoken["id"]) == len(spoken["en"])
     for ours, theirs in zip(spoken["id"], spoken["en"]):
+        assert len(ours) == len(theirs)
         words = [text for text in ours if re.search(r"[a-z]{4}", re.sub("pred|true|smooth", "", text)) and text not in SAME_TEXT]
         assert [text for text in words if text in theirs] == []
         assert not [text for text in ours if re.search(r"\d\.\d", text)], "a decimal point in Indonesian"
+
+
+@pytest.mark.parametrize("language", ["id", "en"])
+def test_every_choice_of_a_list_works(language, site, opened):
+    for name, _, trouble, element in explorers(site, opened, language):
+        for choice in element.locator("select:visible").all():
+            for value in choice.evaluate("e => [...e.options].map(option => option.value)"):
+                choice.select_option(value)
+                shown(element)
+                said = element.locator(".explorer-outcome").inner_text() + element.locator(".explorer-message").inner_text()
+                assert said and not re.search("undefined|NaN|failed|gagal", said), (name, value, said)
+                assert element.locator(".explorer-message").is_hidden(), (name, value)
+        assert trouble == [], name
+        element.evaluate("e => e.explorer.reset()")
+
+
+def test_a_finger_that_scrolls_over_a_figure_changes_nothing(site, opened):
+    for name, _, _, element in explorers(site, opened):
+        if element.locator("canvas.draggable").count() == 0:
+            continue
+        settings = [element.evaluate("""async (e, ways) => {""" + PICTURE + """
+          const canvas = e.querySelector('canvas.draggable'), box = canvas.getBoundingClientRect();
+          for (const [type, x, y] of ways) canvas.dispatchEvent(new PointerEvent(type, { bubbles: true, isPrimary: true, pointerType: 'touch',
+            pointerId: 1, clientX: box.left + x * box.width, clientY: box.top + y * box.height }));
+          await drawn();
+          return JSON.stringify(e.explorer.s);
+        }""", ways) for ways in ([], [("pointerdown", 0.3, 0.2), ("pointermove", 0.3, 0.6), ("pointercancel", 0.3, 0.6)],
+                                 [("pointerdown", 0.3, 0.2), ("pointermove", 0.4, 0.2), ("pointerup", 0.4, 0.2)])]
+        assert settings[0] == settings[1] != settings[2], name
+        element.evaluate("e => e.explorer.reset()")
 
 
 # --- the address, and bad input -------------------------------------------------------------------------------------
@@ -708,18 +739,20 @@ def test_ship_filters_a_recording_of_the_reader_as_python_does(way, language, si
 
 
 BAD_RECORDINGS = ["0 1\n1 2\n2 <img src=x onerror=alert(1)>", "<script>alert(1)</script>", "0;1\n1;2\n2;=cmd|' /C calc'!A0", "0 1\n1 1e308\n2 3\n3 1\n4 2\n5 1", "NaN", "1\n2\n3\n4\n5\n6",
-                  "0 1\n1 2\n1 3\n2 1\n3 2\n4 5", "0 1\n1 1\n2 1\n3 1\n4 1\n5 1", "0 1\n1 2\n2", "0 0\n1 1e7\n2 0\n3 5\n4 1\n5 2\n6 2", "\n".join(f"{k} {k % 7}" for k in range(200_001))]
+                  "0 1\n1 2\n1 3\n2 1\n3 2\n4 5", "0 1\n1 1\n2 1\n3 1\n4 1\n5 1", "0 1\n1 2\n2", "0 0\n1 1e7\n2 0\n3 5\n4 1\n5 2\n6 2", "0 1\n1 2e9\n2 3\n3 4\n4 5\n5 6\n6 1", "\n".join(f"{k} {k % 7}" for k in range(200_001))]
 
 
 @pytest.mark.parametrize("language", ["id", "en"])
 def test_ship_refuses_what_is_no_recording_in_one_sentence(language, site, opened):
     _, trouble, element = explorer_of("ship", site, opened, language)
+    shown(element)
     drawn = picture(element)
     message = element.locator(".explorer-message")
     for bad in BAD_RECORDINGS:
         set_state(element, text=bad)
         text = message.inner_text()
         assert message.is_visible() and text.endswith(".") and len(text) < 250 and "\n" not in text, (bad[:50], text)
+        assert not re.search("failed|gagal|undefined", text), (bad[:50], text)
         assert picture(element) == drawn and message.locator("*").count() == 0, bad[:50]
     set_state(element, text=None)
     assert not message.is_visible()
@@ -765,7 +798,7 @@ def test_zoomed_in_nothing_is_cut_off(width, site, opened):
 
 @pytest.mark.parametrize("motion", ["reduce", "no-preference"])
 def test_beetle_walks_only_for_who_wants_motion(motion, site, opened):
-    page, _, element = explorer_of("beetle", site, opened, reduced_motion=motion)
+    page, trouble, element = explorer_of("beetle", site, opened, reduced_motion=motion)
     play = element.locator(".explorer-control.buttons button").first
     play.scroll_into_view_if_needed()
     for expected in (0, 20):
@@ -780,6 +813,7 @@ def test_beetle_walks_only_for_who_wants_motion(motion, site, opened):
         assert play.inner_text() == "Berhenti"
         play.click()
     element.evaluate("e => e.explorer.reset()")
+    assert trouble == []
 
 
 def test_beetle_what_the_distance_cannot_show_and_the_bearing_can(site, opened):

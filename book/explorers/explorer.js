@@ -160,7 +160,19 @@ class Explorer {
     this.element.classList.add("live");
     for (let around = this.element.parentElement; around && around !== document.body; around = around.parentElement) around.classList.add("explorer-around");
     for (const image of this.element.querySelectorAll("img")) image.loading = "eager";       // hidden, yet ready to be printed
-    this.resizes = new ResizeObserver(() => { for (const plot of this.plots) plot.width = undefined; again(); });
+    let width, height;
+    const first = this.section.querySelector(".explorer-figures.first"), tall = () => first.offsetHeight > innerHeight - 280;
+    this.resizes = new ResizeObserver(() => {
+      const { clientWidth, offsetHeight } = this.section, wide = width !== clientWidth, low = first.classList.contains("low");
+      if (!wide && height === offsetHeight) return;
+      this.outcome.style.minHeight = wide ? "" : `${this.outcome.offsetHeight}px`;         // it only grows: nothing below it jumps back
+      first.classList.remove("low");
+      first.classList.toggle("low", tall());
+      first.classList.toggle("stays", !tall());         // in sight above the sliders of a phone
+      if (tall()) first.classList.remove("low");
+      if (wide || low !== first.classList.contains("low")) { for (const plot of this.plots) plot.width = undefined; again(); }
+      [width, height] = [clientWidth, this.section.offsetHeight];
+    });
     this.resizes.observe(this.section);
     onThemeChange(again);
     this.views = new IntersectionObserver(entries => {
@@ -200,7 +212,7 @@ class Explorer {
     range.addEventListener("input", () => {
       const place = Number(range.value);
       let value = place;
-      if (control.log) value = place === 0 ? control.min : Number(Math.exp(from + (to - from) * place / STEPS).toPrecision(place === STEPS ? 15 : 3));
+      if (control.log) value = place === 0 ? control.min : place === STEPS ? control.max : Number(Math.exp(from + (to - from) * place / STEPS).toPrecision(3));
       if (control.log) value = Math.min(Math.max(value, control.min), control.max);
       this.change({ [control.name]: value }, true);
     });
@@ -279,7 +291,7 @@ class Explorer {
       return button;
     });
     const element = make("div", { role: "group" }, ...buttons);
-    if (control.id) {
+    if (control[this.t.language]) {
       element.setAttribute("aria-label", this.t.say(control));
       element.prepend(make("span", { className: "explorer-name", textContent: this.t.say(control) }));
     }
@@ -432,10 +444,11 @@ class Explorer {
     if (this.playing === item.play) { this.playing = null; this.showControls(); this.toHash(); return; }
     const control = this.controls.find(({ name }) => name === item.play);
     if (calm()) { this.change({ [item.play]: this.value(control) >= control.max ? control.min : control.max }); return; }
-    let value = this.value(control) >= control.max ? control.min : this.value(control), last = performance.now();
+    let value = this.value(control) >= control.max ? control.min : this.value(control), last;
     this.playing = item.play;
     const step = now => {
       if (this.playing !== item.play || !this.element.isConnected) return;
+      last ??= now;
       if (calm() && now - last < 1000) { requestAnimationFrame(step); return; }         // reduced motion: pictures, one a second
       value = Math.min(value + (now - last) / 1000 * (control.max - control.min) / (item.seconds || 8), control.max);
       last = now;
@@ -449,7 +462,7 @@ class Explorer {
   draggable(plot, spec) {
     const { canvas } = plot;
     canvas.classList.add("draggable");
-    let held = false;
+    let held = false, pressed = null;           // a finger that goes up or down scrolls the page
     const move = event => {
       const box = canvas.getBoundingClientRect();
       const changes = this.r && spec.drag(plot.x_of(event.clientX - box.left), plot.y_of(event.clientY - box.top), this.s, this.r);
@@ -461,12 +474,21 @@ class Explorer {
       this.change(changes, true);
       return true;
     };
-    canvas.addEventListener("pointerdown", event => {
-      held = event.isPrimary && move(event);
+    const hold = event => {
+      pressed = null;
+      held = move(event);
       if (held) canvas.setPointerCapture(event.pointerId);
+    };
+    canvas.addEventListener("pointerdown", event => {
+      if (!event.isPrimary) return;
+      if (event.pointerType === "touch") pressed = event; else hold(event);
     });
-    canvas.addEventListener("pointermove", event => { if (held) move(event); });
-    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => { if (held) this.toHash(); held = false; });
+    canvas.addEventListener("pointermove", event => {
+      if (held) move(event);
+      else if (pressed && Math.abs(event.clientX - pressed.clientX) > 6) hold(event);
+    });
+    canvas.addEventListener("pointerup", event => { if (pressed) hold(event); });
+    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => { if (held) this.toHash(); held = false; pressed = null; });
   }
 
   // --- messages ------------------------------------------------------------------------------------------------------
@@ -490,7 +512,7 @@ class Explorer {
   accepted(control, value) {
     if (value >= control.min && value <= control.max) return value;
     const { t } = this, unit = control.unit ? ` ${control.unit}` : "";
-    const text = this.say("range", { name: control.symbol || control.name, value: t.decimal(value, 12), min: t.decimal(control.min, 12), max: t.decimal(control.max, 12), unit });
+    const text = this.say("range", { name: control.symbol || t.say(control) || control.name, value: t.decimal(value, 12), min: t.decimal(control.min, 12), max: t.decimal(control.max, 12), unit });
     throw Object.assign(new InputError({ [t.language]: text }), { outside: true });
   }
 

@@ -19,7 +19,7 @@ function program(METHODS, NUMBERS, TEXTS, font) {
         const code = strokes[i], name = METHODS[code], values = strokes.subarray(i + 2, i += 2 + strokes[i + 1]);
         if (code < 2) ctx[name](values[0], values[1]);
         else if (name === "setLineDash") ctx.setLineDash(values);
-        else if (name === "fillText") ctx.fillText(words[values[0]], values[1], values[2]);
+        else if (name === "fillText") ctx.fillText(words[values[0]], ...values.subarray(1));
         else if (name) ctx[name](...values);
         else { const property = PROPERTIES[code - METHODS.length]; ctx[property] = NUMBERS.includes(property) ? values[0] : words[values[0]]; }
       }

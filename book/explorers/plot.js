@@ -135,7 +135,7 @@ export class Plot {
 
   axes(xlim, ylim, x0, x1, y0, y1) {
     const { ctx, spec } = this;
-    const xs = (spec.xlog ? powers : ticks)(...xlim, Math.floor((x1 - x0) / 70)), ys = (spec.ylog ? powers : ticks)(...ylim, Math.round((y0 - y1) / 30));
+    const xs = (spec.xlog ? powers : ticks)(...xlim, Math.max(3, Math.floor((x1 - x0) / 70))), ys = (spec.ylog ? powers : ticks)(...ylim, Math.max(3, Math.round((y0 - y1) / 30)));
     ctx.lineWidth = 1;
     ctx.setLineDash([]);
     ctx.strokeStyle = colours.grid;
@@ -153,7 +153,7 @@ export class Plot {
     ctx.font = `500 12px ${colours.font}`;
     ctx.textAlign = "right";
     ctx.textBaseline = "middle";
-    for (const value of ys) ctx.fillText(this.tick(value, ys, spec.ylog), x0 - 6, this.Y(value));
+    for (const value of ys) ctx.fillText(this.tick(value, ys, spec.ylog), x0 - 6, this.Y(value), x0 - 8);      // at most so wide
     ctx.textAlign = "center";
     ctx.textBaseline = "top";
     const name = spec.xlabel || "", room = ctx.measureText(name).width;
@@ -190,8 +190,9 @@ export class Plot {
     } else if (layer.sign) {
       ctx.font = `600 22px ${colours.font}`;
       ctx.textAlign = "center";
-      ctx.textBaseline = "middle";
-      ctx.fillText(layer.sign, X(layer.mark[0]), Y(layer.mark[1]));
+      ctx.textBaseline = "alphabetic";
+      const { actualBoundingBoxAscent: above, actualBoundingBoxDescent: below } = ctx.measureText(layer.sign);
+      ctx.fillText(layer.sign, X(layer.mark[0]), Y(layer.mark[1]) + (above - below) / 2);
     } else if (layer.mark) {
       dot(ctx, X(layer.mark[0]), Y(layer.mark[1]), 5);
     } else if (layer.text) {

@@ -14,6 +14,7 @@ export function number(text) {
   const value = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(plain) ? Number(plain) : NaN;
   if (!Number.isFinite(value)) {
     const shown = text.trim().slice(0, 40);
+    if (shown === "") throw new InputError({ id: "Isilah sebuah bilangan.", en: "Type a number." });
     throw new InputError({ id: `“${shown}” bukan bilangan.`, en: `“${shown}” is not a number.` });
   }
   return value;
@@ -28,7 +29,10 @@ export function short(value, digits = 3) {
   return `${Number(head)}e${Number(tail)}`;
 }
 
-/** The speaker of one language ("id" or "en"): t.say({id, en} or one text for both, values) and t.decimal(value, digits). */
+/**
+ * The speaker of one language ("id" or "en"): t.say({id, en} or one text for both, values) and t.decimal(value, digits). A page
+ * holds the words of its own language alone; in the other one it says nothing.
+ */
 export function speaker(language) {
   const decimal = (value, digits = 3) => {
     if (Number.isNaN(value)) return "–";
@@ -36,7 +40,7 @@ export function speaker(language) {
     text = text.replace(/e(.*)$/, (_, power) => " × 10" + [...power].map(sign => SUPERSCRIPT[sign]).join(""));
     return language === "id" ? text.replace(".", ",") : text;
   };
-  const say = (words, values = {}, digits = 3) => (words[language] ?? words).replace(/\{(\w+)\}/g, (_, name) =>
+  const say = (words, values = {}, digits = 3) => (words[language] ?? (typeof words === "string" ? words : "")).replace(/\{(\w+)\}/g, (_, name) =>
     typeof values[name] === "number" ? decimal(values[name], digits) : String(values[name]));
   return { language, decimal, say };
 }

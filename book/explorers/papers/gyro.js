@@ -167,8 +167,8 @@ function spread({ T, runs, filter, memo }) {
 }
 
 const OUTCOME = {
-  run: { id: "Pada percobaan ini filter menurunkan RMSE dari {sensor} rad (sensor) menjadi {rmse} rad; galat terbesarnya {z} rad (pengukuran) dan {x} rad (estimasi).",
-         en: "In this run the filter lowers the RMSE from {sensor} rad (sensor) to {rmse} rad; the largest errors are {z} rad (measurement) and {x} rad (estimate)." },
+  run: { id: "Pada percobaan ini RMSE sensor {sensor} rad dan RMSE filter {rmse} rad; galat terbesarnya {z} rad (pengukuran) dan {x} rad (estimasi).",
+         en: "In this run the RMSE of the sensor is {sensor} rad and that of the filter {rmse} rad; the largest errors are {z} rad (measurement) and {x} rad (estimate)." },
   honest: { id: "Dalam {runs} percobaan RMSE-nya {all} rad, rata-rata NEES {nees} dan NIS {nis}: sesuai dengan P.",
             en: "Over {runs} runs the RMSE is {all} rad, mean NEES {nees} and NIS {nis}: as P says." },
   sure: { id: "Dalam {runs} percobaan RMSE-nya {all} rad (optimum {best} rad), rata-rata NEES {nees} dan NIS {nis}: filter terlalu yakin, P-nya terlalu kecil.",

@@ -394,6 +394,7 @@ const WORDS = {
           en: "The paper’s error formula says otherwise: for {axis} the sensor alone {z} %, the filter {x} %, although it is the filter that is {near} the true angle." },
   closer: { id: "dekat ke", en: "closer to" }, farther: { id: "jauh dari", en: "farther from" },
   no_mag: { id: "Tanpa magnetometer, yaw dimulai dari 0 dan hanya giroskop yang memutarnya.", en: "Without the magnetometer the yaw starts at 0 and only the gyroscope turns it." },
+  no_turn: { id: "Tanpa magnetometer dan giroskop, yaw tetap 0.", en: "Without magnetometer and gyroscope the yaw stays 0." },
   fixed: { id: "Pada cara adaptif m, q, jendela, dan ambang tidak dipakai.", en: "The adaptive method uses neither m, q, window nor threshold." },
   steep: { id: "Pitch mencapai {steep}°: di atas 75° sudut Euler gagal.", en: "The pitch reaches {steep}°: beyond 75° Euler angles fail." },
 };
@@ -417,16 +418,18 @@ function compute(s, memo) {
   return { ...memo.shown, k: Math.min(Math.round(s.moment / s.dt), flight.T - 1) };
 }
 
-/** What the panels draw, in degrees: the estimate without a jump where it goes round, the others beside it. */
+/** What the panels draw, in degrees: estimate and truth without a jump where they go round, the measurement beside the estimate. */
 function lines({ T, t, truth }, { angles, z }, memo) {
   const count = Math.ceil(T / SKIP), series = memo.series ??= Array.from({ length: 10 }, () => new Float64Array(count));
   for (let i = 0; i < 3; i++) {
     const [x, measured, actual] = series.slice(3 * i, 3 * i + 3);
-    for (let j = 0, at = i, before = angles[i]; j < count; j++, at += 3 * SKIP) {
+    let real = truth[i], before = real + wrap(angles[i] - real);
+    for (let j = 0, at = i; j < count; j++, at += 3 * SKIP) {
+      real += wrap(truth[at] - real);
       before += wrap(angles[at] - before);
       x[j] = before / DEG;
       measured[j] = (before + wrap(z[at] - before)) / DEG;
-      actual[j] = (before + wrap(truth[at] - before)) / DEG;
+      actual[j] = real / DEG;
       series[9][j] = t[j * SKIP];
     }
   }
@@ -441,7 +444,7 @@ function outcome(r, s, t) {
   sentences.push(say("rmse", Object.fromEntries(AXES.flatMap((axis, i) => [[axis, show(rmse[i])], [`z_${axis}`, show(rmse_z[i])]]))));
   const lies = [1, 0, 2].find(i => (rmse[i] - rmse_z[i]) * (error(mean, i) - error(mean_z, i)) < 0);
   if (lies !== undefined) sentences.push(say("lies", { near: say(rmse[lies] < rmse_z[lies] ? "closer" : "farther"), axis: AXES[lies], x: show(error(mean, lies)), z: show(error(mean_z, lies)) }));
-  if (!s.mag) sentences.push(say("no_mag"));
+  if (!s.mag) sentences.push(say(s.gyr ? "no_mag" : "no_turn"));
   if (r.how.kept) sentences.push(say("fixed"));
   let steep = 0;
   for (let at = 1; at < r.result.angles.length; at += 3) steep = Math.max(steep, Math.abs(r.result.angles[at]));

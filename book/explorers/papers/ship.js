@@ -105,8 +105,8 @@ function recording({ columns, lines, note }, s) {
     const say = language => speaker(language).say({ id: "Baris {line}: kecepatan {z} m/s terlalu besar, batasnya {most} m/s.", en: "Line {line}: a speed of {z} m/s is too large, the limit is {most} m/s." }, { line: String(lines[far]), z: z[far], most: FASTEST });
     throw new InputError({ id: say("id"), en: say("en") });
   }
-  const tell = (language, missing) => [note[language], sampled[language], ...(gaps ? [`${gaps} ${missing}`] : [])].join(" ");
-  return { t, z, truth: null, note: { id: tell("id", "kecepatan kosong: di sana filter hanya memprediksi."), en: tell("en", "speeds are missing: there the filter only predicts.") } };
+  const tell = (language, missing) => [note[language], sampled[language], ...(gaps ? [`${missing.replace("{gaps}", gaps)}`] : [])].join(" ");
+  return { t, z, truth: null, note: { id: tell("id", "Kecepatan kosong: {gaps}; di sana filter hanya memprediksi."), en: tell("en", "Missing speeds: {gaps}; there the filter only predicts.") } };
 }
 
 /** The data that is shown; memo keeps it, and what was put in last counts. */

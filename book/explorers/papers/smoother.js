@@ -160,7 +160,7 @@ const SOURCES = {
   own: { id: "data sendiri", en: "data of my own" },
 };
 const PAPER = { Q: 1e-5, R: 1e-5, x0: 0, P0: 1, window: 3 };
-const settings = source => source === "own" ? {} : source === "nile" ? { Q: 1469, R: 15099, x0: 1120, P0: 15099, window: 5 }
+const settings = (source, s) => source === "own" && (s.text?.trim() || s.file) ? {} : source === "nile" ? { Q: 1469, R: 15099, x0: 1120, P0: 15099, window: 5 }
   : { ...PAPER, ...LOOK_ALIKES[source] && { R: LOOK_ALIKES[source].R, window: LOOK_ALIKES[source].window } };
 const given = s => s.source === "own" && Boolean(s.text?.trim() || s.file);
 
@@ -173,7 +173,7 @@ function load(s, memo) {
   if (s.source === "own" && from === "paper") data.note = { id: "belum ada data sendiri, jadi masih 16 nilai dari makalah.", en: "none of your own yet, so still the paper's 16 values." };
   if (from in LOOK_ALIKES) {
     Object.assign(data, lookAlike(from, s.seed));
-    for (const language of ["id", "en"]) data.note[language] = SOURCES[from][language].replace(")", language === "id" ? `, benih acak ${s.seed}).` : `, random seed ${s.seed}).`);
+    for (const language in SOURCES[from]) data.note[language] = SOURCES[from][language].replace(")", language === "id" ? `, benih acak ${s.seed}).` : `, random seed ${s.seed}).`);
   } else if (from === "nile") {
     data.z = readText(nile).columns.get("volume_1e8_m3");
   } else if (from === "own") {
