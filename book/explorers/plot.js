@@ -135,7 +135,8 @@ export class Plot {
 
   axes(xlim, ylim, x0, x1, y0, y1) {
     const { ctx, spec } = this;
-    const xs = (spec.xlog ? powers : ticks)(...xlim, Math.max(3, Math.floor((x1 - x0) / 70))), ys = (spec.ylog ? powers : ticks)(...ylim, Math.max(3, Math.round((y0 - y1) / 30)));
+    const marks = (of, limits, most) => { const found = of(...limits, most); return found.length > 1 ? found : of(...limits, most + 2); };
+    const xs = marks(spec.xlog ? powers : ticks, xlim, Math.floor((x1 - x0) / 70)), ys = marks(spec.ylog ? powers : ticks, ylim, Math.round((y0 - y1) / 30));
     ctx.lineWidth = 1;
     ctx.setLineDash([]);
     ctx.strokeStyle = colours.grid;
