@@ -80,7 +80,8 @@ def walk(site, bases, chromium):
         page.on("request", lambda request, base=base: trouble.append(f"asks {request.url}")
                 if not request.url.startswith((base, "data:", "blob:")) else None)
         page.on("requestfailed", lambda request: trouble.append(f"failed {request.url} ({request.failure})")
-                if not (request.url.startswith("blob:") and "ABORTED" in request.failure) else None)    # the next page came first
+                if "ABORTED" not in request.failure or not (request.url.startswith("blob:") or request.is_navigation_request())
+                else None)                          # given up, for the next page came first
         page.on("response", lambda response: trouble.append(f"{response.status} {response.url}") if response.status >= 400 else None)
         page.on("console", lambda message: trouble.append(f"console: {message.text}") if message.type == "error" else None)
         page.on("pageerror", lambda error: trouble.append(f"script error: {error}"))
