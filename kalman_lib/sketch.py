@@ -10,7 +10,7 @@ from html.entities import html5
 import numpy as np
 
 GREY, DARK, GRID, PAPER = "#6b7278", "#3a4147", "#e3dfd6", "#fdfcf9"
-POINTS = 600                # of a longer series the smallest and the largest value of every piece, and where a gap begins
+POINTS = 400                # of a longer series the smallest and the largest value of every piece, and where a gap begins
 SHAPES = {"o": "m-{0} 0a{0} {0} 0 1 0 {1} 0a{0} {0} 0 1 0-{1} 0", "s": "m-{0}-{0}h{1}v{1}h-{1}z",
           "D": "m0-{0}l{0} {0}-{0} {0}-{0}-{0}z", "^": "m0-{0}l{0} {1}h-{1}z", "v": "m0 {0}l{0}-{1}h-{1}z",
           "x": "m-{0}-{0}l{1} {1}m0-{1}l-{1} {1}", "+": "m-{0} 0h{1}m-{0}-{0}v{1}", "*": "m-{0} 0h{1}m-{0}-{0}v{1}"}

@@ -5,6 +5,7 @@ import math
 import re
 import warnings
 from dataclasses import dataclass, replace
+from functools import partial
 from html import escape
 from textwrap import dedent
 
@@ -297,11 +298,11 @@ class Board:
 
 
 class Screen(HTML):
-    """A place for a quick drawing: what make() returns, a figure of plots.py."""
+    """A place for quick drawings below each other: what the functions return, figures of plots.py."""
 
-    def draw(self, make):
+    def draw(self, *makes):
         with plots.live():
-            self.value = make().svg()
+            self.value = "".join(make().svg() for make in makes)
 
 
 def _row(*parts, align="flex-end"):
@@ -1252,7 +1253,7 @@ class Quadrotor(OwnData):
         self.noise, self.restart = self.button("noise", self.renew), self.button("restart", self.reset)
         self.moment = FloatSlider(40, min=0, max=126, step=0.5, readout_format=".1f", layout=dict(width="20em"))
         self.note, self.sentence = _text(), _text()
-        self.plots, self.craft = [Screen() for _ in quadrotor_paper.AXES], Screen()
+        self.plots, self.craft = Screen(), Screen()
         self.page(
             _row(self.source, self.upload, self.method, self.noise, self.restart),
             _row(self.log_field("m"), self.log_field("q", unit=True),
@@ -1260,7 +1261,7 @@ class Quadrotor(OwnData):
                  self.field("threshold", self.slider("threshold", readout_format=".3g", continuous_update=False))),
             _row(self.label(Label(), "sensors", "value"), *self.sensors.values()),
             self.note, self.message, self.sentence,
-            _row(_column(320, self.under("angles", *self.plots, kind=HTML)),
+            _row(_column(320, self.under("angles", self.plots, kind=HTML)),
                  _column(320, self.under("craft", self.craft, kind=HTML), self.under("moment", self.moment))))
         for part in (self.method, *self.sensors.values()):
             self.on(part, self.calculate)
@@ -1300,8 +1301,7 @@ class Quadrotor(OwnData):
         self.data, self.result = data, result
         if caught:
             self.tell(caught[0].message)
-        for screen, row in zip(self.plots, self.rows()):
-            screen.draw(lambda: plots.series(**row, xlabel="$t$ (s)", height=1.7))
+        self.plots.draw(*(partial(plots.series, **row, xlabel="$t$ (s)", height=1.7) for row in self.rows()))
         self.put(self.moment, max=float(t[-1]))
         self.turn()
         self.redraw()

@@ -18,7 +18,7 @@ from ..simulate import Trajectory
 from . import check, param
 
 AXES = ("roll", "pitch", "yaw")
-DEG = np.pi / 180
+PI, DEG = math.pi, math.pi / 180
 GRAVITY = 9.81                                      # m/s2
 FIELD = np.array([38.13, 0.54, -23.79])             # uT, NED: the earth's field in Yogyakarta, 2022 (IGRF-13)
 
@@ -78,7 +78,7 @@ def axis(dt, q):
 
 def wrap(angle):
     """The same angle between -pi and pi."""
-    return (angle + np.pi) % (2 * np.pi) - np.pi
+    return (angle + PI) % (2 * PI) - PI
 
 
 def wrapped_difference(z, z_pred):
@@ -222,12 +222,13 @@ def attitude(t, gyr, acc, mag, rest_s, how):
     rates = _rates(how, lib)
     dt, turn, z, mag, R = np.diff(t).tolist(), turn.tolist(), z.tolist(), mag.tolist(), R.tolist() if lib is math else R
     recent = [deque(maxlen=max(1, round(0.5 / np.median(dt)))) for _ in AXES]       # y^2 of the last 0.5 s
+    Q = {h: process_noise(how, h) for h in set(dt)}         # of a step of h seconds
     s, P = [0.0] * 3, [(R[0][i], 0.0, P_s) for i in range(3)]
-    rows = [(x, z[0], (0.0,) * 3, s, (0.0,) * 3, R[0], R[0])]
+    columns = [list(row) for row in (x, z[0], s, s, s, R[0], R[0])]         # of an Attitude, one number after another
     for k in range(1, len(t)):
         h, z_k, R_k, y, P_k = dt[k - 1], list(z[k]), list(R[k]), [math.nan] * 3, [0.0] * 3
         u = rates(turn[k - 1], x, s, h)
-        Q00, Q01, Q11 = process_noise(how, h)
+        Q00, Q01, Q11 = Q[h]
         x = [x[0] + h * (u[0] - s[0]), x[1] + h * (u[1] - s[1]), x[2] + h * (u[2] - s[2])]
         s = list(s) if how.kept else [0.0] * 3
         if own_tilt and z_k[2] == z_k[2]:                   # turn the magnetometer back by the estimated tilt
@@ -250,9 +251,10 @@ def attitude(t, gyr, acc, mag, rest_s, how):
             P[i], P_k[i] = (P00, P01, P11), P00
         if wrapping:
             x[0], x[2] = wrap(x[0]), wrap(x[2])
-        rows.append((x, z_k, u, s, y, P_k, R_k))
-    result = Attitude(*(np.array([[np.broadcast_to(value, cells) for value in row] for row in column] if cells else column)
-                        for column in zip(*rows)))
+        for column, row in zip(columns, (x, z_k, u, s, y, P_k, R_k)):
+            column.extend(row)
+    result = Attitude(*(np.array([np.broadcast_to(value, cells) for value in column] if cells else column).reshape(-1, 3, *cells)
+                        for column in columns))
     steepest = np.degrees(np.abs(result.angles[:, 1]).max())
     if steepest > 75:
         warnings.warn(f"The pitch reaches {steepest:.0f} degrees: beyond 75 degrees Euler angles fail, use quaternions. / "
