@@ -130,13 +130,18 @@ def gaussians(curves, xlabel="$x$", height=2.8):
     means, sigmas = np.array([[mean, np.sqrt(variance)] for mean, variance, _ in curves.values()]).T
     x = np.linspace((means - 4 * sigmas).min(), (means + 4 * sigmas).max(), 600)
     with _figure(height, xlabel=xlabel, ylabel="$p$", ylim=(0, None)) as (figure, ax):
-        for label, (mean, variance, look) in curves.items():
-            density = np.exp(-(x - mean) ** 2 / (2 * variance)) / np.sqrt(2 * np.pi * variance)
-            line = look.get("linestyle", "none")
-            ax.plot(x, density, label=label, color=look["color"], linewidth=look.get("linewidth", 1.8),
-                    linestyle="-" if line == "none" else line)
-            ax.fill_between(x, density, color=look["color"], **PALE)
+        for label, curve in curves.items():
+            bell(ax, x, *curve, label)
     return figure
+
+
+def bell(ax, x, mean, variance, look, label=None):
+    """One bell curve at x (N,), as a line and a pale area."""
+    density = np.exp(-(x - mean) ** 2 / (2 * variance)) / np.sqrt(2 * np.pi * variance)
+    line = look.get("linestyle", "none")
+    ax.plot(x, density, label=label, color=look["color"], linewidth=look.get("linewidth", 1.8),
+            linestyle="-" if line == "none" else line)
+    ax.fill_between(x, density, color=look["color"], **PALE)
 
 
 def curve(lines, xlabel, ylabel, log=False, points=None, height=2.8, ylim=None):

@@ -54,11 +54,8 @@ def picture(t, z, x, sigma, truth, moments, height=4.2):
             means, sigmas = np.array([[mean, np.sqrt(variance)] for mean, variance in beliefs[:2]]).T
             places = np.linspace((means - 2.6 * sigmas).min(), (means + 2.6 * sigmas).max(), 300)
             ax = figure.add_subplot(grid[1, place])
-            for (mean, variance), look in zip(beliefs, (plots.PREDICTION, plots.MEASUREMENT, plots.ESTIMATE)):
-                density = np.exp(-(places - mean) ** 2 / (2 * variance)) / np.sqrt(2 * np.pi * variance)
-                ax.plot(places, density, color=look["color"], linewidth=1.6,
-                        linestyle=look["linestyle"] if look is plots.PREDICTION else "-")
-                ax.fill_between(places, density, color=look["color"], **plots.PALE)
+            for belief, look in zip(beliefs, (plots.PREDICTION, plots.MEASUREMENT, plots.ESTIMATE)):
+                plots.bell(ax, places, *belief, {**look, "linewidth": 1.6})
             ax.set(xticks=[], yticks=[], ylim=(0, None))
             ax.set_title(name, fontweight="bold", color=plots.DARK)
             ax.spines["left"].set_visible(False)

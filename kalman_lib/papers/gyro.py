@@ -113,15 +113,15 @@ def expected(p, sigma_w, sigma_v):
     sigma_w rad/s and sigma_v rad are numbers or arrays (a map), and so is the answer. No data is needed: K and P depend
     on none, and the error e = (1 - K)(e + w) - K v has the variance V = (1 - K)^2 (V + Q) + K^2 R, with the true Q and R.
     """
-    m = model(p)
+    m, T = model(p), len(times(p))
     Q, R, Q_told, R_told = m.Q[0, 0], m.R[0, 0], (np.asarray(sigma_w) * p.T) ** 2, np.asarray(sigma_v) ** 2
     P = V = squares = nees = 0
-    for _ in times(p):
+    for _ in range(T):
         P_pred = P + Q_told
         K, keep = P_pred / (P_pred + R_told), R_told / (P_pred + R_told)        # keep = 1 - K
         P, V = K * R_told, keep ** 2 * (V + Q) + K ** 2 * R
         squares, nees = squares + V, nees + V / P
-    return np.sqrt(squares / len(times(p))), nees / len(times(p))
+    return np.sqrt(squares / T), nees / T
 
 
 def drift(p, rng, runs):

@@ -66,22 +66,24 @@ export function poles(a1, a2) {
   return square < 0 ? [[a1 / 2, root], [a1 / 2, -root]] : [[a1 / 2 + root, 0], [a1 / 2 - root, 0]];
 }
 
+/** Words with the values filled in, {id, en}. */
+const both = (words, values) => Object.fromEntries(["en", "id"].map(language => [language, speaker(language).say(words, values)]));
+
 /** Are the times t (T) in s evenly spaced? {dt, uneven, en, id}: the median step in s, and the sentence that tells it. */
 export function sampling(t, tolerance = 0.05) {
   if (t.length < 5 || !t.every(Number.isFinite)) {
     throw new InputError({ en: "The time column must hold at least five times and no gap.", id: "Kolom waktu harus berisi sedikitnya lima waktu tanpa sel kosong." });
   }
   const steps = t.subarray(1).map((value, k) => value - t[k]), row = steps.findIndex(step => !(step > 0)) + 1;
-  const say = (words, values) => Object.fromEntries(["en", "id"].map(language => [language, speaker(language).say(words, values)]));
   if (row) {
-    throw new InputError(say({ en: "The time does not increase at row {row} of the data ({now} s after {before} s).", id: "Waktu tidak bertambah di baris data ke-{row} ({now} s setelah {before} s)." },
+    throw new InputError(both({ en: "The time does not increase at row {row} of the data ({now} s after {before} s).", id: "Waktu tidak bertambah di baris data ke-{row} ({now} s setelah {before} s)." },
                              { row: String(row + 1), now: t[row], before: t[row - 1] }));
   }
   const sorted = steps.slice().sort(), half = steps.length >> 1, dt = steps.length % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
   let odd = 0;
   for (const step of steps) if (Math.abs(step - dt) > tolerance * dt) odd++;
   const values = { low: sorted[0], high: sorted.at(-1), dt, odd: String(odd), all: String(steps.length) };
-  return { dt, uneven: odd > 0, ...say(odd ? {
+  return { dt, uneven: odd > 0, ...both(odd ? {
     en: "The samples are unevenly spaced ({low} to {high} s; {odd} of {all} steps are not about the median {dt} s), but AR(2) takes them as even: resample them first.",
     id: "Jarak antarsampel tidak seragam ({low} sampai {high} s; {odd} dari {all} langkah tidak sekitar median {dt} s), padahal AR(2) menganggapnya seragam: seragamkan dahulu." }
     : { en: "The samples are evenly spaced, {dt} s apart.", id: "Jarak antarsampel seragam, {dt} s." }, values) };
@@ -102,11 +104,12 @@ function recording({ columns, lines, note }, s) {
   const [time, speed] = columns.values(), t = time.map(value => value * TIME_UNITS[s.time_unit]), z = speed.map(value => value * SPEED_UNITS[s.speed_unit]);
   const sampled = sampling(t), far = z.findIndex(value => Math.abs(value) > FASTEST), gaps = z.filter(Number.isNaN).length;
   if (far >= 0) {
-    const say = language => speaker(language).say({ id: "Baris {line}: kecepatan {z} m/s terlalu besar, batasnya {most} m/s.", en: "Line {line}: a speed of {z} m/s is too large, the limit is {most} m/s." }, { line: String(lines[far]), z: z[far], most: FASTEST });
-    throw new InputError({ id: say("id"), en: say("en") });
+    throw new InputError(both({ id: "Baris {line}: kecepatan {z} m/s terlalu besar, batasnya {most} m/s.", en: "Line {line}: a speed of {z} m/s is too large, the limit is {most} m/s." },
+                              { line: String(lines[far]), z: z[far], most: FASTEST }));
   }
-  const tell = (language, missing) => [note[language], sampled[language], ...(gaps ? [`${missing.replace("{gaps}", gaps)}`] : [])].join(" ");
-  return { t, z, truth: null, note: { id: tell("id", "Kecepatan kosong: {gaps}; di sana filter hanya memprediksi."), en: tell("en", "Missing speeds: {gaps}; there the filter only predicts.") } };
+  const missing = both({ id: "Kecepatan kosong: {gaps}; di sana filter hanya memprediksi.", en: "Missing speeds: {gaps}; there the filter only predicts." }, { gaps: String(gaps) });
+  const tell = language => [note[language], sampled[language], ...(gaps ? [missing[language]] : [])].join(" ");
+  return { t, z, truth: null, note: { id: tell("id"), en: tell("en") } };
 }
 
 /** The data that is shown; memo keeps it, and what was put in last counts. */

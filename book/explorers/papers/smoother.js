@@ -160,9 +160,10 @@ const SOURCES = {
   own: { id: "data sendiri", en: "data of my own" },
 };
 const PAPER = { Q: 1e-5, R: 1e-5, x0: 0, P0: 1, window: 3 };
-const settings = (source, s) => source === "own" && (s.text?.trim() || s.file) ? {} : source === "nile" ? { Q: 1469, R: 15099, x0: 1120, P0: 15099, window: 5 }
+const brought = s => Boolean(s.text?.trim() || s.file);
+const settings = (source, s) => source === "own" && brought(s) ? {} : source === "nile" ? { Q: 1469, R: 15099, x0: 1120, P0: 15099, window: 5 }
   : { ...PAPER, ...LOOK_ALIKES[source] && { R: LOOK_ALIKES[source].R, window: LOOK_ALIKES[source].window } };
-const given = s => s.source === "own" && Boolean(s.text?.trim() || s.file);
+const given = s => s.source === "own" && brought(s);
 
 /** The numbers of the source and what to call them; read again only when something about them has changed. */
 function load(s, memo) {
