@@ -1,15 +1,19 @@
-"""The Kalman filter and the Rauch-Tung-Striebel smoother, written as the equations.
+"""The Kalman filter and the smoother, written as the equations.
 
 One loop serves the linear and the extended filter: the model hands over F and H, constant or evaluated at the
-estimate. Source: Kalman (1960); the smoother: Rauch, Tung and Striebel (1965).
+estimate. Source: Kalman (1960).
+
+Every covariance is kept as a product P = L L' of its root L, as in the square-root filters of Bierman (1977). So it
+stays a covariance, however small Q and R or large P0 are, and no matrix but R is ever inverted.
 """
-import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
+from numbers import Real
 from typing import NamedTuple
 
 import numpy as np
 
-from .models import LinearModel, _shape_message, check_covariance, subtract
+from .checks import Covariance, check_covariance, numbers, root_of, series, shape_message
+from .models import LinearModel, at, steps_of, subtract
 
 
 class Prediction(NamedTuple):
@@ -30,14 +34,17 @@ class Update(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class FilterResult:
-    """Everything the filter computed, stacked over T steps.
+    """Everything the filter computed, stacked over T steps; all arrays are read-only.
 
-    x_pred (T, n), P_pred (T, n, n) before the measurement; x (T, n), P (T, n, n) after it; y (T, m) innovation (NaN
-    where the measurement is missing), S (T, m, m) its covariance, K (T, n, m) gain (0 where missing), F (T, n, n) the
-    transition that led to the step, R (T, m, m) the measurement noise that was used.
+    x_pred (T, n), P_pred (T, n, n) before the measurement; x (T, n), P (T, n, n) after it;
+    y (T, m) innovation, NaN where a sensor was silent or its innovation left out by the gate;
+    S (T, m, m) the covariance of y, of the silent sensors too; K (T, n, m) gain, a column of 0 for a silent sensor;
+    F (T, n, n) the transition that led to the step, H (T, m, n), Q (T, n, n) and R (T, m, m) as they were used;
+    start (n, n) the root L of the covariance before the first step, P0 = L L'; gated (T, m) True where the gate left
+    out an innovation.
 
-    Of many runs at once: x_pred and x are (T, n, runs), y is (T, m, runs); the rest is the same for every run and
-    stays as above, without the axis of the runs.
+    Of many runs at once: x_pred and x are (T, n, N), y and gated (T, m, N); what is the same for every run stays as
+    above, and what is not has the axis of the N runs as its last one.
     """
     x_pred: np.ndarray
     P_pred: np.ndarray
@@ -48,176 +55,331 @@ class FilterResult:
     K: np.ndarray
     F: np.ndarray
     R: np.ndarray
+    H: np.ndarray | None = None
+    Q: np.ndarray | None = None
+    start: np.ndarray | None = None
+    gated: np.ndarray | None = None
+
+    def __post_init__(self):
+        _read_only(self)
 
 
 @dataclass(frozen=True, eq=False)
 class SmootherResult:
-    """x (T, n) and P (T, n, n) given all T measurements; G (T - 1, n, n) the smoother's gain."""
+    """x (T, n) and P (T, n, n) given all T measurements, read-only; of many runs x (T, n, N)."""
     x: np.ndarray
     P: np.ndarray
-    G: np.ndarray
+
+    def __post_init__(self):
+        _read_only(self)
 
 
-def predict(model, x, P, u=None):
-    """One step ahead without a measurement: x (n,), P (n, n), u (l,) or None -> Prediction(x_pred, P_pred, F)."""
-    x_pred, F = model.transition(x, u)
-    P_pred = F @ P @ F.T + model.Q
-    return Prediction(x_pred, _symmetric(P_pred), F)
+def _read_only(result):
+    """Every array of a result as a read-only view."""
+    for field in fields(result):
+        array = getattr(result, field.name)
+        if array is not None:
+            array = array.view()
+            array.setflags(write=False)
+            object.__setattr__(result, field.name, array)
 
 
-def update(model, x_pred, P_pred, z, R=None):
+def predict(model, x, P, u=None, k=0):
+    """One step ahead without a measurement: x (n,), P (n, n), u (l,) or None -> Prediction(x_pred, P_pred, F).
+
+    k is the number of the step, where the model's matrices change from step to step.
+    """
+    x_pred, F = model.transition(x, u, k)
+    P_pred = add_up(F @ root_of(P), root_of(at(model.Q, k)))        # F P F' + Q
+    return Prediction(x_pred, P_pred, F)
+
+
+def update(model, x_pred, P_pred, z, R=None, u=None, k=0):
     """Blend the prediction with the measurement z (m,) -> Update(x, P, y, S, K).
 
-    R (m, m) replaces model.R where it changes in time. P is in Joseph's form, which stays a covariance
-    whatever the rounding. A missing measurement has no update: keep the prediction.
+    R (m, m) replaces the model's R of step k; u (l,) or None is what h(x, u) of a nonlinear model may see.
+    A sensor is silent where z is NaN or its variance in R infinite: it has no innovation (y is NaN), its column of K
+    is 0, and the others are used. If all are silent, the prediction is kept.
 
-    ValueError: z is not (m,) or not finite; R is needed because the model's R changes in time.
+    ValueError: z is not (m,) or infinite.
     """
-    z_pred, H = model.measure(x_pred)
-    R = model.R if R is None else R
-    if np.shape(z) != z_pred.shape:
-        raise ValueError(_shape_message("z", np.shape(z), z_pred.shape))
-    if not np.isfinite(z).all():
-        raise ValueError(f"z is {z}; expected finite numbers (without a measurement keep the prediction). / "
-                         f"z berisi {z}; seharusnya bilangan berhingga (tanpa pengukuran, pakai prediksinya).")
-    if np.ndim(R) != 2:
-        raise ValueError("R changes in time: pass the R of this step. / R berubah menurut waktu: berikan R langkah ini.")
+    z_pred, H = model.measure(x_pred, u, k)
+    R = at(model.R, k) if R is None else R
+    z = numbers("z", z)
+    if z.shape != z_pred.shape:
+        raise ValueError(shape_message("z", z.shape, z_pred.shape))
+    if np.isinf(z).any():
+        raise ValueError(f"z is {z}; expected finite numbers, or NaN where a sensor is silent. / "
+                         f"z berisi {z}; seharusnya bilangan berhingga, atau NaN bila sensornya diam.")
     y = model.residual(z, z_pred)
-    S = H @ P_pred @ H.T + R
-    K = np.linalg.solve(S, H @ P_pred).T            # K = P_pred H' S^-1
-    x = x_pred + K @ y
-    I_KH = np.eye(len(x)) - K @ H
-    P = I_KH @ P_pred @ I_KH.T + K @ R @ K.T
-    return Update(x, _symmetric(P), y, S, K)
+    S = innovation_covariance(H, P_pred, R)
+    return _blend(x_pred, P_pred, y, H, S, R)
 
 
-def kalman_filter(model, z, u=None, adapt_R=None):
+def _blend(x_pred, P_pred, y, H, S, R):
+    """The update once the innovation y and its covariance S are known."""
+    heard = np.isfinite(y) & np.isfinite(np.diag(R))
+    if heard.all():
+        K, P = gain(P_pred, H, R)               # P_pred H' S^-1 and (I - K H) P_pred
+        return Update(x_pred + K @ y, P, y, S, K)
+    K, P = np.zeros(H.T.shape), P_pred
+    if heard.any():
+        K[:, heard], P = gain(P_pred, H[heard], R[np.ix_(heard, heard)])
+    x = x_pred + K[:, heard] @ y[heard]
+    return Update(x, P, np.where(heard, y, np.nan), S, K)
+
+
+def kalman_filter(model, z, u=None, adapt_R=None, gate=None):
     """Filter a whole series: every step predicts, then updates.
 
     model   LinearModel, or NonlinearModel (then this is the extended Kalman filter)
-    z       (T, m) measurements; (T,) if m = 1. A row with NaN is a missed measurement: that step predicts only.
-            (T, m, runs) filters many runs of one LinearModel at once (a Monte Carlo study); see FilterResult. Needs
-            a constant R, the usual residual, no adapt_R and no NaN: then all runs share the same P, S and K.
+    z       (T, m) measurements; (T,) if m = 1. NaN: that sensor is silent at that step, the others are used.
+            (T, m, N) filters N runs of one LinearModel at once (a Monte Carlo study); see FilterResult. Needs the
+            usual residual, no adapt_R and no gate.
     u       (T, l) inputs, row k drives the step to k; (T,) if l = 1; common to all runs
-    adapt_R function (k, y, HPH, R) -> R of step k, called before the update with the innovation y (m,), the part
-            HPH (m, m) of its covariance that comes from the prediction, and the model's R (m, m)
+    adapt_R function (k, y, HPH, R) -> R of step k, called before the update with the innovation y (m,), NaN where a
+            sensor is silent, the part HPH (m, m) of its covariance that comes from the prediction, and the model's R
+    gate    a probability such as 0.999: a sensor whose y^2 / S lies outside this quantile of chi-square (1 degree of
+            freedom) is left out at that step, like a silent one, and marked in `gated`
 
-    Returns a FilterResult. ValueError: z or u of the wrong shape, infinite, or u with NaN; many runs where they
-    cannot share their gains.
+    Returns a FilterResult. ValueError: z or u of the wrong shape or not finite; matrices for another number of steps
+    than z has; a nonlinear model whose numbers are no longer finite (the message names the step).
     """
-    z = _series("z", z, width=model.R.shape[-1], runs=True)
-    _is_complete("z", z)
-    if u is not None:
-        u = _series("u", u, steps=len(z))
-        _is_complete("u", u)
+    z, u = _data(model, z, u)
+    limit = _gate_limit(gate)
     if z.ndim == 3:
-        return _filter_runs(model, z, u, adapt_R)
-    if model.R.ndim == 3 and len(model.R) != len(z):
-        raise ValueError(_shape_message("R", model.R.shape, (len(z), *model.R.shape[1:])))
+        return _filter_runs(model, z, u, adapt_R, gate)
     x, P = model.x0, model.P0
     steps = []
     for k in range(len(z)):
-        R = model.R if model.R.ndim == 2 else model.R[k]
-        x_pred, P_pred, F = predict(model, x, P, None if u is None else u[k])
-        if np.isnan(z[k]).any():
-            x, P, y, S, K = _missed(model, x_pred, P_pred, R)
-        else:
-            if adapt_R is not None:
-                R = _adapted(adapt_R, k, model, x_pred, P_pred, z[k], R)
-            x, P, y, S, K = update(model, x_pred, P_pred, z[k], R)
-        steps.append((x_pred, P_pred, x, P, y, S, K, F, R))
-    return FilterResult(*(np.array(column) for column in zip(*steps)))
+        u_k = None if u is None else u[k]
+        x_pred, P_pred, F = predict(model, x, P, u_k, k)
+        z_pred, H = model.measure(x_pred, u_k, k)
+        y = model.residual(z[k], z_pred)
+        R = at(model.R, k)
+        if adapt_R is not None and np.isfinite(z[k]).any():
+            R = _adapted(adapt_R, k, y, H, P_pred, R)
+        S = innovation_covariance(H, P_pred, R)
+        gated = y * y > limit * np.diag(S)
+        x, P, y, S, K = _blend(x_pred, P_pred, np.where(gated, np.nan, y), H, S, R)
+        _check_step(model, k, x, P)
+        steps.append((x_pred, P_pred, x, P, y, S, K, F, R, H, at(model.Q, k), gated))
+    *columns, gated = (np.array(column) for column in zip(*steps))
+    return FilterResult(*columns, root_of(model.P0), gated)
 
 
 def rts_smooth(result):
-    """Run back over a FilterResult of one run, so that every estimate knows the later measurements -> SmootherResult."""
+    """Run back over a FilterResult of one run, so that every estimate knows the later measurements -> SmootherResult.
+
+    The equations of Rauch, Tung and Striebel (1965) are x_s = x + G (x_s_next - x_pred_next) with the gain
+    G = P F' P_pred^-1; but P_pred is singular, and G useless, as soon as a state decays without noise or is known.
+    So here the same estimates come as x_s = x + L rho and P_s = L V V' L', with the root L of P: rho (n,) and V (n, n)
+    collect what the later measurements say, and run back through the filter's own roots (Park and Kailath, 1995).
+    """
     if result.x.ndim != 2:
-        raise ValueError("rts_smooth takes one run, x of shape (T, n); smooth run by run. / "
-                         "rts_smooth menerima satu percobaan, x berukuran (T, n); haluskan satu per satu.")
-    x, P = result.x.copy(), result.P.copy()
-    T, n = x.shape
-    G = np.empty((T - 1, n, n))
-    for k in reversed(range(T - 1)):
-        G[k] = _solve(result.P_pred[k + 1], result.F[k + 1] @ result.P[k]).T    # G = P F' P_pred^-1
-        x[k] = result.x[k] + G[k] @ (x[k + 1] - result.x_pred[k + 1])
-        P[k] = _symmetric(result.P[k] + G[k] @ (P[k + 1] - result.P_pred[k + 1]) @ G[k].T)
-    return SmootherResult(x, P, G)
+        raise ValueError("rts_smooth takes one run, x of shape (T, n); many runs go to smooth_runs. / "
+                         "rts_smooth menerima satu percobaan, x berukuran (T, n); banyak percobaan: smooth_runs.")
+    T, n = result.x.shape
+    turns, learnt, roots = _roots_again(result)
+    x = np.empty((T, n))
+    P = np.empty((T, n, n))
+    rho = np.zeros(n)
+    V = np.eye(n)
+    for k in reversed(range(T)):
+        x[k] = result.x[k] + roots[k] @ rho
+        P[k] = Covariance.from_root(roots[k] @ V)
+        g, A = learnt[k]
+        rho = turns[k][:, :n] @ (g + A @ rho)
+        V, _ = rotated(np.hstack([turns[k][:, :n] @ A @ V, turns[k][:, n:]]))
+    return SmootherResult(x, P)
 
 
-def _filter_runs(model, z, u, adapt_R):
-    """z (T, m, runs): P, S and K do not depend on what is measured, so they are computed once, by the loop above."""
-    if not isinstance(model, LinearModel) or model.R.ndim != 2 or model.residual is not subtract or adapt_R is not None:
-        raise ValueError("z of shape (T, m, runs) needs a LinearModel with constant R and the usual residual, and no "
-                         "adapt_R; filter run by run. / z berukuran (T, m, runs) memerlukan LinearModel dengan R "
-                         "tetap dan residu biasa, tanpa adapt_R; filterlah satu per satu.")
-    if np.isnan(z).any():
-        raise ValueError("z of shape (T, m, runs) holds NaN: a missed measurement has another gain; filter run by run. / "
-                         "z berukuran (T, m, runs) memuat NaN: pengukuran yang hilang mengubah penguatan; "
-                         "filterlah satu per satu.")
-    T, m, runs = z.shape
-    shared = kalman_filter(model, np.zeros((T, m)))
-    x_pred, x, y = np.empty((T, len(model.x0), runs)), np.empty((T, len(model.x0), runs)), np.empty(z.shape)
-    before = np.repeat(model.x0[:, np.newaxis], runs, axis=1)
-    for k in range(T):
-        drive = model.transition(np.zeros_like(model.x0), None if u is None else u[k])[0]      # B u
-        x_pred[k] = model.F @ before + drive[:, np.newaxis]
-        y[k] = z[k] - model.H @ x_pred[k]
-        x[k] = before = x_pred[k] + shared.K[k] @ y[k]
-    return replace(shared, x_pred=x_pred, x=x, y=y)
+def _roots_again(result):
+    """The filter's roots L of every P, how each prediction turned them, and what each measurement did to them."""
+    if result.start is None:
+        raise ValueError("This result holds no root of P0 (start), so it cannot be smoothed. / "
+                         "Hasil ini tidak memuat akar P0 (start), jadi tidak dapat dihaluskan.")
+    L = result.start
+    turns, learnt, roots = [], [], []
+    for F, Q, H, R, y in zip(result.F, result.Q, result.H, result.R, result.y):
+        L_pred, rotation = rotated(np.hstack([F @ L, root_of(Q)]))
+        g, A = _learnt(L_pred, y, H, R)
+        L = L_pred @ A
+        turns.append(rotation[:len(L)])
+        learnt.append((g, A))
+        roots.append(L)
+    return turns, learnt, roots
 
 
-def _missed(model, x_pred, P_pred, R):
-    """A step without a measurement keeps its prediction."""
-    z_pred, H = model.measure(x_pred)
-    return Update(x_pred, P_pred, np.full(len(z_pred), np.nan), H @ P_pred @ H.T + R, np.zeros(H.T.shape))
+# --- covariances as products of their roots --------------------------------------------------------------------------
+
+def add_up(*parts):
+    """The covariance A A' + B B' + ... of the parts A (n, .), B (n, .), ..."""
+    L, _ = rotated(np.hstack(parts))
+    return Covariance.from_root(L)
 
 
-def _adapted(adapt_R, k, model, x_pred, P_pred, z, R):
+def rotated(columns):
+    """L (n, n), lower triangular, and a rotation T (p, p) with C T = [L 0], so L L' = C C', for columns C (n, p).
+
+    No square is computed on the way. The reflections are Householder's (1958); each time the row with the largest
+    entry comes first, which keeps the digits of small rows (Cox and Higham, 1998), and what is exactly 0 stays 0.
+    """
+    n, p = columns.shape
+    rows = np.hstack([columns.T, np.eye(p)])
+    for j in range(n):
+        first = j + np.argmax(np.abs(rows[j:, j]))
+        rows[[j, first]] = rows[[first, j]]
+        if rows[j, j] != 0:
+            v = rows[j:, j] / rows[j, j]        # its length does not matter, and its square must not vanish
+            v[0] += np.sqrt(v @ v)
+            rows[j:] -= np.outer(v, (2 / (v @ v)) * (v @ rows[j:]))
+            rows[j + 1:, j] = 0
+    return rows[:n, :n].T, rows[:, n:].T
+
+
+def innovation_covariance(H, P_pred, R):
+    """S = H P_pred H' + R (m, m)."""
+    HL = H @ root_of(P_pred)
+    S = HL @ HL.T + R
+    return (S + S.T) / 2
+
+
+def gain(P_pred, H, R):
+    """The gain K (n, m) = P_pred H' S^-1 and the covariance P (n, n) = (I - K H) P_pred after the measurement.
+
+    The sensors come one after the other, each in units in which its noise has the variance 1 and disturbs no other
+    one. So nothing is subtracted that could become negative, and nothing but R is inverted.
+    """
+    L = root_of(P_pred)
+    W = noise_units(R)
+    K = np.zeros((len(L), len(H)))
+    for i, h in enumerate(W @ H):
+        a, S, A = one_sensor(L, h)
+        k = L @ a / S
+        K -= np.outer(k, h @ K)                 # what the sensors before have already told
+        K[:, i] += k
+        L = L @ A
+    return K @ W, Covariance.from_root(L)
+
+
+def noise_units(R):
+    """W (m, m) with W R W' = I: the sensors W z have noise of variance 1, and none disturbs another one."""
+    if R.size == 1:
+        return 1 / np.sqrt(R)
+    return np.linalg.inv(np.linalg.cholesky(R))
+
+
+def one_sensor(L, h):
+    """A sensor z = h x + v, v ~ N(0, 1), and P_pred = L L' -> a = L' h (n,), S = h P_pred h' + 1, and A (n, n).
+
+    A is triangular, and L A the root of P = P_pred - P_pred h' h P_pred / S (Carlson, 1973).
+    """
+    a = L.T @ h
+    S = 1 + np.cumsum(a * a)                    # as it grows, column by column of L
+    S_before = np.append(1.0, S[:-1])
+    A = (np.eye(len(L)) - np.triu(np.outer(a, a / S_before), 1)) * np.sqrt(S_before / S)
+    return a, S[-1], A
+
+
+def _learnt(L_pred, y, H, R):
+    """g (n,) and A (n, n) of all sensors that were heard: x = x_pred + L_pred g, and L_pred A is the root of P."""
+    n = len(L_pred)
+    g, A = np.zeros(n), np.eye(n)
+    heard = np.isfinite(y)
+    if not heard.any():
+        return g, A
+    W = noise_units(R[np.ix_(heard, heard)])
+    for h, y_i in zip(W @ H[heard], W @ y[heard]):
+        a, S, A_i = one_sensor(L_pred @ A, h)
+        g = g + A @ a * ((y_i - h @ L_pred @ g) / S)
+        A = A @ A_i
+    return g, A
+
+
+# --- many runs at once -----------------------------------------------------------------------------------------------
+
+def _filter_runs(model, z, u, adapt_R, gate):
+    """z (T, m, N): where all runs hear the same sensors, they share P, S and K, which hold no data."""
+    if not isinstance(model, LinearModel) or model.residual is not subtract or adapt_R or gate:
+        raise ValueError("z of shape (T, m, N) needs a LinearModel with the usual residual, and neither adapt_R nor "
+                         "gate; filter run by run. / z berukuran (T, m, N) memerlukan LinearModel dengan residu "
+                         "biasa, tanpa adapt_R dan gate; filterlah satu per satu.")
+    silent = np.isnan(z)
+    if (silent != silent[:, :, :1]).any():
+        return _stacked([kalman_filter(model, z[:, :, run], u) for run in range(z.shape[2])])
+    shared = kalman_filter(model, np.where(silent[:, :, 0], np.nan, 0.0), u)
+    x_pred, x = (np.empty((len(z), len(model.x0), z.shape[2])) for _ in range(2))
+    y = np.empty(z.shape)
+    x_k = np.repeat(model.x0[:, np.newaxis], z.shape[2], axis=1)
+    for k in range(len(z)):
+        Bu = 0 if u is None else at(model.B, k) @ u[k]
+        x_pred[k] = shared.F[k] @ x_k + np.reshape(Bu, (-1, 1))
+        y[k] = z[k] - shared.H[k] @ x_pred[k]
+        x_k = x_pred[k] + shared.K[k] @ np.nan_to_num(y[k])
+        x[k] = x_k
+    return replace(shared, x_pred=x_pred, x=x, y=y, gated=np.zeros(z.shape, dtype=bool))
+
+
+def smooth_runs(result):
+    """rts_smooth of many runs, run by run: x (T, n, N) and P (T, n, n), or (T, n, n, N) where runs do not share it."""
+    shared = result.P.ndim == 3
+    each = []
+    for run in range(result.x.shape[2]):
+        def of_run(name, shape):
+            array = getattr(result, name)
+            return array[..., run] if array.ndim > shape else array
+        one = {name: of_run(name, 2) for name in ("x_pred", "x", "y", "gated")}
+        one |= {name: of_run(name, 3) for name in ("P_pred", "P", "S", "K", "F", "R", "H", "Q")}
+        each.append(rts_smooth(FilterResult(**one, start=result.start)))
+    P = each[0].P if shared else np.stack([smooth.P for smooth in each], axis=-1)
+    return SmootherResult(np.stack([smooth.x for smooth in each], axis=-1), P)
+
+
+def _stacked(results):
+    """Runs that differ in everything but the model: their arrays side by side, the runs last."""
+    common = {name: getattr(results[0], name) for name in ("F", "R", "H", "Q", "start")}
+    names = [field.name for field in fields(FilterResult) if field.name not in common]
+    return FilterResult(**common, **{name: np.stack([getattr(r, name) for r in results], axis=-1) for name in names})
+
+
+# --- checks ----------------------------------------------------------------------------------------------------------
+
+def _data(model, z, u):
+    """z and u as new arrays that fit the model."""
+    z = series("z", z, width=model.R.shape[-1], runs=True)
+    steps_of(model, len(z))
+    if u is not None:
+        u = series("u", u, steps=len(z))
+    return z, u
+
+
+def _gate_limit(gate):
+    """The quantile of chi-square with one degree of freedom; infinite without a gate."""
+    if gate is None:
+        return np.inf
+    if not isinstance(gate, Real) or not 0 < gate < 1:
+        raise ValueError(f"gate = {gate!r}: expected a probability between 0 and 1, such as 0.999. / "
+                         f"gate = {gate!r}: seharusnya peluang antara 0 dan 1, misalnya 0.999.")
+    from scipy.special import erfinv            # here, so that importing the package loads NumPy alone
+    return 2 * erfinv(gate) ** 2
+
+
+def _adapted(adapt_R, k, y, H, P_pred, R):
     """The R that adapt_R wants at step k, checked."""
-    z_pred, H = model.measure(x_pred)
-    R_k = np.asarray(adapt_R(k, model.residual(z, z_pred), H @ P_pred @ H.T, R), dtype=float)
-    if R_k.shape != R.shape:
-        raise ValueError(_shape_message(f"R from adapt_R at step {k}", R_k.shape, R.shape))
-    check_covariance(f"R from adapt_R at step {k}", R_k, definite=True)
-    return R_k
+    HPH = innovation_covariance(H, P_pred, np.zeros(R.shape))
+    name = f"R from adapt_R at step {k}"
+    wanted = numbers(name, adapt_R(k, y, HPH, R))
+    if wanted.shape != R.shape:
+        raise ValueError(shape_message(name, wanted.shape, R.shape))
+    check_covariance(name, wanted, definite=True)
+    return wanted
 
 
-def _symmetric(P):
-    return (P + P.swapaxes(-1, -2)) / 2
-
-
-def _solve(A, b):
-    """A^-1 b; for a singular A (a state known exactly) the least-squares answer."""
-    try:
-        return np.linalg.solve(A, b)
-    except np.linalg.LinAlgError:
-        return np.linalg.pinv(A) @ b
-
-
-def _series(name, values, width=None, steps=None, runs=False):
-    """z or u as a float array of shape (T, width), with runs=True also (T, width, runs); what it holds: _is_complete."""
-    try:
-        array = np.asarray(values, dtype=float)
-    except (TypeError, ValueError):
-        raise ValueError(f"{name} must hold numbers only. / {name} hanya boleh berisi bilangan.") from None
-    if array.ndim == 1 and width in (1, None):
-        array = array[:, np.newaxis]
-    expected = ("T" if steps is None else steps, "l" if width is None else width)
-    if array.ndim not in ((2, 3) if runs else (2,)) or array.size == 0 or array.shape[1] != (width or array.shape[1]) \
-            or len(array) != (steps or len(array)):
-        wanted = f"({expected[0]}, {expected[1]})" + (f" or ({expected[0]}, {expected[1]}, runs)" if runs else "")
-        raise ValueError(_shape_message(name, array.shape, wanted))
-    return array
-
-
-def _is_complete(name, array):
-    """Is every number of z or u finite? ValueError if one is infinite, or if u holds NaN."""
-    with np.errstate(over="ignore", invalid="ignore"):
-        if math.isfinite(np.add.reduce(array, axis=None)):          # one look at each; very large ones need another
-            return True
-    wrong = np.isinf(array) if name == "z" else ~np.isfinite(array)
-    if wrong.any():
-        k = int(np.argwhere(wrong)[0, 0])
-        raise ValueError(f"{name}[{k}] is {array[k]}; expected finite numbers. / "
-                         f"{name}[{k}] berisi {array[k]}; seharusnya bilangan berhingga.")
-    return not np.isnan(array).any()
+def _check_step(model, k, x, P):
+    """ValueError as soon as a nonlinear filter has gone astray: the first step whose numbers are not finite."""
+    if isinstance(model, LinearModel) or (np.isfinite(x).all() and np.isfinite(P).all()):
+        return
+    raise ValueError(f"x or P is no longer finite at step {k} (counted from 0): the filter diverges; look at the "
+                     f"Jacobians F and H (check_jacobians). / x atau P tidak lagi berhingga pada langkah {k} "
+                     f"(dihitung dari 0): filternya divergen; periksalah Jacobian F dan H (check_jacobians).")

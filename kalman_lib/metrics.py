@@ -7,32 +7,93 @@ import re
 
 import numpy as np
 
+from .checks import shape_message
+
 
 def rmse(x_true, x):
-    """Root mean square error over time, unit of x: (T, n) -> (n,); (T,) -> a number; (T, n, runs) -> (n, runs)."""
-    x_true, x = np.asarray(x_true, dtype=float), np.asarray(x, dtype=float)
-    if x_true.shape != x.shape:
-        raise ValueError(f"x has shape {x.shape}, expected {x_true.shape} like x_true. / "
-                         f"x berukuran {x.shape}, seharusnya {x_true.shape} seperti x_true.")
+    """Root mean square error over time, unit of x: (T, n) -> (n,); (T,) -> a number; (T, n, N) -> (n, N)."""
+    x_true, x = _pair("x_true", x_true, "x", x)
     return np.sqrt(np.mean((x_true - x) ** 2, axis=0))
 
 
 def nees(x_true, x, P):
-    """Normalised estimation error squared, (x_true - x)' P^-1 (x_true - x): (T, n), (T, n), (T, n, n) -> (T,), of many
-    runs (T, runs). If P is honest, its mean is n. P must be invertible: no state known exactly."""
-    return _quadratic(np.asarray(x_true, dtype=float) - x, P)
+    """Normalised estimation error squared, (x_true - x)' P^-1 (x_true - x): (T, n), (T, n), (T, n, n) -> (T,).
+
+    Of many runs x is (T, n, N), P (T, n, n) or (T, n, n, N), and the answer (T, N). If P is honest, the mean is n.
+    ValueError: shapes that do not fit, a P that cannot be inverted (a state known exactly).
+    """
+    x_true, x = _pair("x_true", x_true, "x", np.broadcast_to(x, np.shape(x_true)))
+    return _quadratic("P", x_true - x, P)
 
 
 def nis(y, S):
-    """Normalised innovation squared, y' S^-1 y: (T, m), (T, m, m) -> (T,), of many runs (T, runs); NaN where z is
-    missing. If S is honest, its mean is m. It needs no truth."""
-    return _quadratic(np.asarray(y, dtype=float), S)
+    """Normalised innovation squared, y' S^-1 y: (T, m), (T, m, m) -> (T,); of many runs (T, N). It needs no truth.
+
+    Sensors that are silent at a step (NaN in y) do not count, so that the degrees of freedom vary from step to step:
+    `degrees_of_freedom(y)` gives them, and if S is honest they are the mean of the NIS. NaN where all are silent.
+    """
+    return _quadratic("S", np.asarray(y, dtype=float), S)
 
 
-def _quadratic(e, P):
-    columns = e if e.ndim == 3 else e[..., np.newaxis]
-    squares = np.einsum("kir,kir->kr", columns, np.linalg.solve(P, columns))
+def degrees_of_freedom(y):
+    """How many sensors were heard at each step, which is what an honest NIS is on average: (T, m) -> (T,)."""
+    return np.isfinite(np.asarray(y, dtype=float)).sum(axis=1)
+
+
+def _pair(name_a, a, name_b, b):
+    """Both as float arrays; ValueError unless they have the same shape."""
+    a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
+    if a.shape != b.shape:
+        raise ValueError(f"{name_b} has shape {b.shape}, expected {a.shape} like {name_a}. / "
+                         f"{name_b} berukuran {b.shape}, seharusnya {a.shape} seperti {name_a}.")
+    return a, b
+
+
+def _quadratic(name, e, P):
+    """e' P^-1 e for every step (and run), with what is finite in e alone."""
+    P = np.asarray(P, dtype=float)
+    if e.ndim == 1:
+        e = e[:, np.newaxis]
+    size = (len(e), e.shape[1], e.shape[1])
+    if e.ndim not in (2, 3) or P.shape not in (size, (*size, *e.shape[2:])):
+        raise ValueError(shape_message(name, P.shape, size))
+    runs = e if e.ndim == 3 else e[..., np.newaxis]
+    if P.ndim == 3:
+        P = P[..., np.newaxis]
+    squares = np.empty((len(e), runs.shape[2]))
+    for run in range(P.shape[3]):               # once, if all runs share P
+        part = slice(None) if P.shape[3] == 1 else slice(run, run + 1)
+        squares[:, part] = _squares(name, runs[:, :, part], P[..., run])
     return squares if e.ndim == 3 else squares[:, 0]
+
+
+def _squares(name, e, P):
+    """e' P^-1 e for e (T, n, N) and P (T, n, n) -> (T, N), pattern by pattern of what is known."""
+    known = np.isfinite(e) & np.isfinite(np.einsum("kii->ki", P))[:, :, np.newaxis]
+    if known.all():
+        return _solved(name, e, P)
+    squares = np.full((len(e), e.shape[2]), np.nan)
+    for pattern in np.unique(known.swapaxes(1, 2).reshape(-1, e.shape[1]), axis=0):
+        here = (known == pattern[:, np.newaxis]).all(axis=1)              # (T, N)
+        rows = here.any(axis=1)
+        if not pattern.any() or not rows.any():
+            continue
+        found = _solved(name, e[rows][:, pattern], P[rows][:, pattern][:, :, pattern])
+        squares[here] = found[here[rows]]
+    return squares
+
+
+def _solved(name, e, P):
+    """e' P^-1 e for complete rows e (T, n, N); each component in units of its standard deviation."""
+    sigma = np.sqrt(np.einsum("kii->ki", P))[:, :, np.newaxis]
+    try:
+        with np.errstate(divide="ignore", invalid="ignore"):
+            scaled = e / sigma
+            solved = np.linalg.solve(P / sigma / sigma.swapaxes(1, 2), scaled)
+    except np.linalg.LinAlgError:
+        raise ValueError(f"{name} cannot be inverted: a component is known exactly, or two are copies. / "
+                         f"{name} tidak dapat dibalik: satu komponen diketahui persis, atau dua sama persis.") from None
+    return np.einsum("kir,kir->kr", scaled, solved)
 
 
 def chi2_bounds(dof, runs=1, probability=0.95):

@@ -1,16 +1,28 @@
-"""What the system does and what the sensor sees: a linear model and a nonlinear one.
+"""What the system does and what the sensors see: a linear model and a nonlinear one.
 
 Both answer the same two questions, so one filter loop serves both:
-``transition(x, u)`` gives f(x, u) and its matrix F; ``measure(x)`` gives h(x) and its matrix H.
+``transition(x, u, k)`` gives f(x, u) and its matrix F; ``measure(x, u, k)`` gives h(x, u) and its matrix H,
+each at step k, counted from 0.
 
-Letters (n states, m measurements, l inputs):
+Letters (n states, m measurements, l inputs, T steps):
 x state (n,), F transition (n, n), B control (n, l), u input (l,), Q process-noise covariance (n, n),
 H measurement matrix (m, n), z measurement (m,), R measurement-noise covariance (m, m), P covariance of x (n, n).
 """
+import inspect
 from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+
+from .checks import (
+    Covariance,
+    check_covariance,
+    check_finite,
+    check_shape,
+    matrix,
+    numbers,
+    shape_message,
+)
 
 
 def subtract(z, z_pred):
@@ -22,9 +34,11 @@ def subtract(z, z_pred):
 class LinearModel:
     """x = F x + B u + w, z = H x + v, with w ~ N(0, Q) and v ~ N(0, R).
 
-    F (n, n), H (m, n), Q (n, n), R (m, m) or, where it changes in time, (T, m, m); x0 (n,), P0 (n, n), B (n, l) or
-    None; residual(z, z_pred) -> (m,). A plain number stands for a 1 x 1 matrix. Units are yours: if x is in metres
-    and seconds, Q and P0 hold their squares. x0 and P0 describe the moment before the first prediction.
+    F (n, n), H (m, n), Q (n, n), R (m, m), B (n, l) or None: each fixed, or one per step, (T, ., .), where the
+    sampling is uneven or sensors come and go. x0 (n,), P0 (n, n) describe the moment before the first prediction.
+    residual(z, z_pred) -> (m,). A plain number stands for a 1 x 1 matrix, and (T,) for T of them.
+    An infinite variance in R says that the sensor tells nothing (at that step).
+    Units are yours: if x is in metres and seconds, Q and P0 hold their squares.
 
     ValueError: a matrix whose shape does not fit the others, that holds NaN or infinity, or that is no covariance.
     """
@@ -38,43 +52,53 @@ class LinearModel:
     residual: Callable = subtract
 
     def __post_init__(self):
-        x0 = _numbers("x0", self.x0, 1)
-        F, H, Q, R, P0 = (_numbers(name, getattr(self, name), 2) for name in ("F", "H", "Q", "R", "P0"))
-        n, m = len(x0), H.shape[0]
-        B = None if self.B is None else _numbers("B", self.B, 2)
-        _check_shape("F", F, (n, n))
-        if H.ndim != 2 or H.shape[1] != n:
-            raise ValueError(_shape_message("H", H.shape, f"(m, {n})"))
-        if B is not None and (B.ndim != 2 or len(B) != n):
-            raise ValueError(_shape_message("B", B.shape, f"({n}, l)"))
-        _check_noise(Q, R, x0, P0, n, m)
+        x0 = check_finite("x0", numbers("x0", self.x0, 1))
+        n = len(x0)
+        check_shape("x0", x0, (n,))
+        H = check_finite("H", matrix("H", self.H, columns=n))
+        m = H.shape[-2]
+        F = check_finite("F", matrix("F", self.F, rows=n, columns=n))
+        B = None if self.B is None else check_finite("B", matrix("B", self.B))
+        check_shape("F", F, (n, n))
+        if H.shape[-1] != n:
+            raise ValueError(shape_message("H", H.shape, f"(m, {n})"))
+        if B is not None and B.shape[-2] != n:
+            raise ValueError(shape_message("B", B.shape, f"({n}, l)"))
+        Q, R, P0 = _noise(self, n, m)
         _freeze(self, F=F, H=H, Q=Q, R=R, x0=x0, P0=P0, B=B)
+        steps_of(self)
 
-    def transition(self, x, u=None):
-        """The next state F x + B u (n,) and F (n, n). Without u there is no B u."""
+    def transition(self, x, u=None, k=0):
+        """The next state F x + B u (n,) and F (n, n) of step k. Without u there is no B u."""
+        F = at(self.F, k)
         if u is None:
-            return self.F @ x, self.F
+            return F @ x, F
         if self.B is None:
             raise ValueError("u is given, but the model has no B. / u diberikan, tetapi model tidak punya B.")
-        if np.shape(u) != (self.B.shape[1],):
-            raise ValueError(_shape_message("u", np.shape(u), (self.B.shape[1],)))
-        return self.F @ x + self.B @ u, self.F
+        B = at(self.B, k)
+        if np.shape(u) != (B.shape[1],):
+            raise ValueError(shape_message("u", np.shape(u), (B.shape[1],)))
+        return F @ x + B @ u, F
 
-    def measure(self, x):
-        """What the sensor would show without noise, H x (m,), and H (m, n)."""
-        return self.H @ x, self.H
+    def measure(self, x, u=None, k=0):
+        """What the sensors would show without noise, H x (m,), and H (m, n) of step k. u does not matter."""
+        H = at(self.H, k)
+        return H @ x, H
 
 
 @dataclass(frozen=True, eq=False)
 class NonlinearModel:
-    """x = f(x, u) + w, z = h(x) + v, with w ~ N(0, Q) and v ~ N(0, R): the model of the extended Kalman filter.
+    """x = f(x, u) + w, z = h(x, u) + v, with w ~ N(0, Q) and v ~ N(0, R): for the extended Kalman filter.
 
-    f(x, u) -> (n,), F(x, u) -> (n, n) its matrix of partial derivatives (Jacobian) by x, h(x) -> (m,),
-    H(x) -> (m, n) its Jacobian; Q, R, x0, P0 and residual as in LinearModel. u is None where there is no input.
-    many_runs=True says that the functions also take many runs at once, x (n, runs): f and h then return (n, runs) and
-    (m, runs), and F and H rows of entries, each a number or (runs,). Such a model of one sensor filters z (T, 1, runs).
+    f(x, u) -> (n,), F(x, u) -> (n, n) its matrix of partial derivatives (Jacobian) by x; h(x, u) -> (m,),
+    H(x, u) -> (m, n) its Jacobian by x; for m = 1 also (n,). u is None where there is no input; a function that
+    needs none may take x alone.
+    Q, R, x0, P0 and residual as in LinearModel. `check_jacobians` compares F and H with f and h.
+    many_runs=True says that the functions also take many runs at once, x (n, runs): f and h then return (n, runs)
+    and (m, runs), and F and H rows of entries, each a number or (runs,).
 
-    ValueError: as LinearModel; the shapes that f, F, h and H return are checked whenever they are called.
+    ValueError: as LinearModel. The shapes that f, F, h and H return are checked at every call, and so is that all
+    numbers are finite: the message names the function and the step.
     """
     f: Callable
     F: Callable
@@ -88,90 +112,117 @@ class NonlinearModel:
     many_runs: bool = False
 
     def __post_init__(self):
-        x0 = _numbers("x0", self.x0, 1)
-        Q, R, P0 = (_numbers(name, getattr(self, name), 2) for name in ("Q", "R", "P0"))
-        _check_noise(Q, R, x0, P0, len(x0), R.shape[-1])
+        x0 = check_finite("x0", numbers("x0", self.x0, 1))
+        n = len(x0)
+        check_shape("x0", x0, (n,))
+        m = matrix("R", self.R).shape[-1] if np.ndim(self.R) > 1 else 1
+        Q, R, P0 = _noise(self, n, m)
         _freeze(self, Q=Q, R=R, x0=x0, P0=P0)
-        self.measure(x0)
+        steps_of(self)
+        for name in ("f", "F", "h", "H"):
+            object.__setattr__(self, name, _of_x_and_u(name, getattr(self, name)))
+        self._try_measure()
 
-    def transition(self, x, u=None):
-        """The next state f(x, u) (n,) and the Jacobian F (n, n) at x."""
+    def transition(self, x, u=None, k=0):
+        """The next state f(x, u) (n,) and the Jacobian F (n, n) at x; k is named where something is wrong."""
         n = len(self.x0)
-        return _result("f(x, u)", self.f(x, u), (n,)), _result("F(x, u)", self.F(x, u), (n, n))
+        f = _result("f(x, u)", self.f(x, u), (n,), k)
+        F = _result("F(x, u)", self.F(x, u), (n, n), k)
+        return f, F
 
-    def measure(self, x):
-        """What the sensor would show without noise, h(x) (m,), and the Jacobian H (m, n) at x."""
+    def measure(self, x, u=None, k=0):
+        """What the sensors would show without noise, h(x, u) (m,), and the Jacobian H (m, n) at x."""
         n, m = len(self.x0), self.R.shape[-1]
-        return _result("h(x)", self.h(x), (m,)), _result("H(x)", self.H(x), (m, n))
+        h = _result("h(x, u)", self.h(x, u), (m,), k)
+        H = _result("H(x, u)", self.H(x, u), (m, n), k)
+        return h, H
+
+    def _try_measure(self):
+        """What h and H return is looked at early, if they can do without an input."""
+        try:
+            h, H = self.h(self.x0, None), self.H(self.x0, None)
+        except Exception:                       # they need u, or do not like x0: checked at the first step
+            return
+        n, m = len(self.x0), self.R.shape[-1]
+        _shaped("h(x, u)", h, (m,))
+        _shaped("H(x, u)", H, (m, n))
 
 
-# --- checks: one clear sentence, in English and Indonesian, that names the matrix -------------------------------
+def at(M, k):
+    """The matrix of step k: M (., .) is the same at every step, M (T, ., .) has one for each."""
+    if M.ndim == 2:
+        return M
+    if not 0 <= k < len(M):
+        raise ValueError(f"step {k}: the model has matrices for {len(M)} steps only, 0 to {len(M) - 1}. / "
+                         f"langkah {k}: model hanya punya matriks untuk {len(M)} langkah, 0 sampai {len(M) - 1}.")
+    return M[k]
 
-def _numbers(name, value, dimensions):
-    """A read-only float copy of the value with at least that many dimensions."""
+
+def steps_of(model, T=None):
+    """For how many steps the model has matrices, None if all are fixed; ValueError unless they agree (and are T)."""
+    for name in ("F", "H", "Q", "R", "B"):
+        M = getattr(model, name, None)
+        if isinstance(M, np.ndarray) and M.ndim == 3:
+            if T is not None and len(M) != T:
+                raise ValueError(shape_message(name, M.shape, (T, *M.shape[1:])))
+            T = len(M)
+    return T
+
+
+def _noise(model, n, m):
+    """Q, R and P0 of the model, checked: Q and P0 (n, n) covariances, R (m, m) positive definite."""
+    Q = check_finite("Q", matrix("Q", model.Q, rows=n, columns=n))
+    R = matrix("R", model.R, rows=m, columns=m)
+    P0 = check_finite("P0", matrix("P0", model.P0, rows=n, columns=n, per_step=False))
+    for name, M, size in (("Q", Q, n), ("P0", P0, n), ("R", R, m)):
+        check_shape(name, M, (size, size))
+        check_covariance(name, M, definite=name == "R")
+    if Q.ndim == 2:
+        Q = Covariance.of(Q)
+    return Q, R, Covariance.of(P0)
+
+
+def _of_x_and_u(name, function):
+    """The function itself, to be called with (x, u); one that takes x alone, for it needs no input, is wrapped."""
+    if not callable(function):
+        raise ValueError(f"{name} must be a function of (x, u). / {name} harus berupa fungsi dari (x, u).")
     try:
-        array = np.array(value, dtype=float, ndmin=dimensions)
-    except (TypeError, ValueError):
-        raise ValueError(f"{name} must hold numbers only. / {name} hanya boleh berisi bilangan.") from None
+        signature = inspect.signature(function)
+    except ValueError:                          # some built-in functions do not tell theirs
+        return function
+    for arguments, wanted in ((2, function), (1, lambda x, u=None: function(x))):
+        try:
+            signature.bind(*range(arguments))
+            return wanted
+        except TypeError:
+            continue
+    raise ValueError(f"{name} must take two arguments, {name}(x, u); it takes {signature}. / "
+                     f"{name} harus menerima dua argumen, {name}(x, u), tetapi menerima {signature}.")
+
+
+def _result(name, value, expected, k):
+    """What a function of the nonlinear model returned at step k, as a finite array of the expected shape."""
+    array = _shaped(name, value, expected)
     if not np.isfinite(array).all():
-        raise ValueError(f"{name}, shape {array.shape}, holds NaN or infinity; every entry must be finite. / "
-                         f"{name}, ukuran {array.shape}, memuat NaN atau takhingga; setiap isinya harus berhingga.")
-    array.setflags(write=False)
+        raise ValueError(f"{name} is {array.tolist()} at step {k} (counted from 0); expected finite numbers. / "
+                         f"{name} bernilai {array.tolist()} pada langkah {k} (dihitung dari 0); "
+                         f"seharusnya bilangan berhingga.")
     return array
 
 
-def _result(name, value, expected):
-    """What a function of the nonlinear model returned, as an array of the expected shape."""
-    array = np.asarray(value, dtype=float)
-    _check_shape(name, array, expected)
-    return array
-
-
-def _shape_message(name, shape, expected):
-    return (f"{name} has shape {shape}, expected {expected}. / "
-            f"{name} berukuran {shape}, seharusnya {expected}.")
-
-
-def _check_shape(name, array, expected):
+def _shaped(name, value, expected):
+    """The value as an array of the expected shape; a row alone or a number alone will do where there is one."""
+    array = numbers(name, value)
+    if array.ndim < 2 and array.size == np.prod(expected) and 1 in expected:
+        array = array.reshape(expected)
     if array.shape != expected:
-        raise ValueError(_shape_message(name, array.shape, expected))
-
-
-def _check_noise(Q, R, x0, P0, n, m):
-    """x0 must be (n,); Q and P0 (n, n) must be covariances; R (m, m) or (T, m, m) must also be invertible."""
-    _check_shape("x0", x0, (n,))
-    _check_shape("Q", Q, (n, n))
-    _check_shape("P0", P0, (n, n))
-    _check_shape("R", R, (m, m) if R.ndim < 3 else (len(R), m, m))
-    check_covariance("Q", Q)
-    check_covariance("P0", P0)
-    check_covariance("R", R, definite=True)
-
-
-def check_covariance(name, P, definite=False):
-    """ValueError unless P (n, n) is symmetric and positive semi-definite (definite=True: positive definite).
-
-    P (T, n, n): every one of them.
-    """
-    scale = np.sqrt(np.abs(np.diagonal(P, axis1=-2, axis2=-1)))
-    scale = np.where(scale == 0, 1, scale)
-    C = P / (scale[..., :, np.newaxis] * scale[..., np.newaxis, :])     # unit diagonal, so that mixed units (1e-9 beside
-    shape = P.shape[-2:]                                                # 1e9) do no harm
-    if np.abs(C - C.swapaxes(-1, -2)).max() > 1e-9:
-        raise ValueError(f"{name}, shape {shape}, is not symmetric; expected a symmetric {shape} covariance. / "
-                         f"{name}, ukuran {shape}, tidak simetris; seharusnya kovarians simetris {shape}.")
-    eigenvalues = np.linalg.eigvalsh(C)
-    if definite and not (eigenvalues[..., 0] > 0).all():
-        raise ValueError(f"{name}, shape {shape}, is not positive definite (every variance in it must be > 0); "
-                         f"expected a positive definite {shape} matrix. / {name}, ukuran {shape}, tidak definit "
-                         f"positif (setiap varians harus > 0); seharusnya matriks {shape} definit positif.")
-    if (eigenvalues[..., 0] < -1e-9 * np.abs(eigenvalues[..., -1])).any():
-        raise ValueError(f"{name}, shape {shape}, is not positive semi-definite (no variance may be negative); "
-                         f"expected a covariance of shape {shape}. / {name}, ukuran {shape}, tidak semidefinit "
-                         f"positif (varians tidak boleh negatif); seharusnya kovarians berukuran {shape}.")
+        raise ValueError(shape_message(name, array.shape, expected))
+    return array
 
 
 def _freeze(model, **arrays):
-    """Put the checked arrays into the frozen dataclass."""
+    """Put the checked arrays into the frozen dataclass, read-only."""
     for name, array in arrays.items():
+        if array is not None:
+            array.setflags(write=False)
         object.__setattr__(model, name, array)

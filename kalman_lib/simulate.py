@@ -3,7 +3,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .models import _shape_message
+from .checks import check_shape, numbers, series
+from .models import steps_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -15,26 +16,43 @@ class Trajectory:
 
 
 def simulate(model, steps, rng, u=None, x0=None):
-    """Run the model for a number of steps with random noise.
+    """Run the model for a number of steps T with random noise -> Trajectory.
 
-    model LinearModel or NonlinearModel; steps T; rng numpy Generator; u (T, l) inputs, or (T,) if l = 1, row k drives the step to k;
-    x0 (n,) the true state before the first step (None: drawn from N(model.x0, model.P0)). Returns a Trajectory.
+    model LinearModel or NonlinearModel, whose matrices may change from step to step; rng numpy Generator;
+    u (T, l) inputs, or (T,) if l = 1, row k drives the step to k; x0 (n,) the true state before the first step
+    (None: drawn from N(model.x0, model.P0)). Where a variance in R is infinite, the sensor is silent: z is NaN.
     """
-    n, m = len(model.x0), model.R.shape[-1]
-    u = None if u is None else np.asarray(u, dtype=float).reshape(len(u), -1)
-    if u is not None and len(u) != steps:
-        raise ValueError(_shape_message("u", u.shape, f"({steps}, l)"))
-    if model.R.ndim == 3 and len(model.R) != steps:
-        raise ValueError(_shape_message("R", model.R.shape, (steps, *model.R.shape[1:])))
-    x = rng.multivariate_normal(model.x0, model.P0, method="eigh") if x0 is None else np.asarray(x0, dtype=float)
-    w = rng.multivariate_normal(np.zeros(n), model.Q, size=steps, method="eigh")
-    if model.R.ndim == 2:
-        v = rng.multivariate_normal(np.zeros(m), model.R, size=steps, method="eigh")
+    n = len(model.x0)
+    steps_of(model, steps)
+    u = None if u is None else series("u", u, steps=steps)
+    if x0 is None:
+        x = rng.multivariate_normal(model.x0, model.P0, method="eigh")
     else:
-        v = [rng.multivariate_normal(np.zeros(m), R, method="eigh") for R in model.R]
-    states, measurements = [], []
+        x = numbers("x0", x0, 1)
+        check_shape("x0", x, (n,))
+    w = _noise(model.Q, steps, rng)
+    v = _noise(model.R, steps, rng)
+    states = []
+    measurements = []
     for k in range(steps):
-        x = model.transition(x, None if u is None else u[k])[0] + w[k]
+        u_k = None if u is None else u[k]
+        x = model.transition(x, u_k, k)[0] + w[k]
         states.append(x)
-        measurements.append(model.measure(x)[0] + v[k])
+        measurements.append(model.measure(x, u_k, k)[0] + v[k])
     return Trajectory(np.array(states), np.array(measurements), u)
+
+
+def _noise(covariance, steps, rng):
+    """Random vectors (T, size) with mean 0 and the covariance (size, size), or one per step (T, size, size)."""
+    zero = np.zeros(covariance.shape[-1])
+    if covariance.ndim == 2 and np.isfinite(covariance).all():
+        return rng.multivariate_normal(zero, covariance, size=steps, method="eigh")
+    each = np.broadcast_to(covariance, (steps, *covariance.shape[-2:]))
+    return np.array([_one_noise(C, zero, rng) for C in each])
+
+
+def _one_noise(C, zero, rng):
+    """One random vector; NaN where the variance is infinite."""
+    infinite = np.isinf(np.diag(C))
+    finite = np.where(infinite | infinite[:, np.newaxis], 0, C)
+    return np.where(infinite, np.nan, rng.multivariate_normal(zero, finite, method="eigh"))

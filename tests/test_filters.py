@@ -5,7 +5,7 @@ from filterpy.kalman import KalmanFilter
 from scipy.linalg import solve_discrete_are
 from statsmodels.tsa.statespace.mlemodel import MLEModel
 
-from kalman_lib import LinearModel, NonlinearModel, kalman_filter, predict, rts_smooth, update
+from kalman_lib import LinearModel, NonlinearModel, kalman_filter, predict, rts_smooth, smooth_runs, update
 from kalman_lib.simulate import simulate
 
 
@@ -78,8 +78,8 @@ def test_smoother_and_filter_equal_conditioning_of_the_dense_joint_gaussian(seed
 def test_extended_filter_on_a_linear_model_is_the_linear_filter(seed):
     rng = np.random.default_rng(seed)
     model = random_model(rng, l=1)
-    twin = NonlinearModel(f=lambda x, u: model.F @ x + model.B @ u, F=lambda x, u: model.F, h=lambda x: model.H @ x,
-                          H=lambda x: model.H, Q=model.Q, R=model.R, x0=model.x0, P0=model.P0)
+    twin = NonlinearModel(f=lambda x, u: model.F @ x + model.B @ u, F=lambda x, u: model.F, h=lambda x, u: model.H @ x,
+                          H=lambda x, u: model.H, Q=model.Q, R=model.R, x0=model.x0, P0=model.P0)
     u = rng.normal(size=(30, 1))
     z = simulate(model, 30, rng, u).z
     a, b = kalman_filter(model, z, u), kalman_filter(twin, z, u)
@@ -115,8 +115,7 @@ def test_missing_rows_keep_the_prediction():
     rng = np.random.default_rng(1)
     model = random_model(rng, n=2, m=2)
     z = simulate(model, 10, rng).z
-    z[4] = np.nan
-    z[7, 1] = np.nan                        # one NaN makes the row a missed measurement
+    z[4] = z[7] = np.nan
     result = kalman_filter(model, z)
     for k in (4, 7):
         assert np.array_equal(result.x[k], result.x_pred[k])
@@ -232,20 +231,20 @@ def test_many_runs_at_once_equal_the_loop_run_by_run(seed):
             assert np.array_equal(getattr(together, name), getattr(alone, name))
 
 
-def test_many_runs_need_shared_gains_and_no_gaps():
+def test_many_runs_that_have_no_common_form_are_refused():
     rng = np.random.default_rng(4)
     model = random_model(rng, n=2, m=1, l=1)
     parts = {name: getattr(model, name) for name in ("F", "H", "Q", "R", "x0", "P0", "B")}
     z = rng.normal(size=(6, 1, 3))
-    nonlinear = NonlinearModel(f=lambda x, u: x, F=lambda x, u: np.eye(2), h=lambda x: x[:1], H=lambda x: np.eye(1, 2),
-                               Q=model.Q, R=model.R, x0=model.x0, P0=model.P0)
-    in_time = LinearModel(**{**parts, "R": np.ones((6, 1, 1))})
+    nonlinear = NonlinearModel(f=lambda x, u: x, F=lambda x, u: np.eye(2), h=lambda x, u: x[:1],
+                               H=lambda x, u: np.eye(1, 2), Q=model.Q, R=model.R, x0=model.x0, P0=model.P0)
     wrapped = LinearModel(**parts, residual=lambda z, z_pred: z - z_pred)
-    for other in (nonlinear, in_time, wrapped):
-        with pytest.raises(ValueError, match="needs a LinearModel with constant R.* / .*memerlukan LinearModel"):
+    for other in (nonlinear, wrapped):
+        with pytest.raises(ValueError, match="needs a LinearModel with the usual residual.* / .*memerlukan LinearModel"):
             kalman_filter(other, z)
-    with pytest.raises(ValueError, match="no adapt_R"):
-        kalman_filter(model, z, adapt_R=lambda k, y, HPH, R: R)
+    for options in (dict(adapt_R=lambda k, y, HPH, R: R), dict(gate=0.99)):
+        with pytest.raises(ValueError, match="neither adapt_R nor gate"):
+            kalman_filter(model, z, **options)
     with pytest.raises(ValueError, match=r"u has shape \(6, 1, 3\), expected \(6, l\)"):
         kalman_filter(model, z, u=z)
     with pytest.raises(ValueError, match="model has no B"):
@@ -253,12 +252,34 @@ def test_many_runs_need_shared_gains_and_no_gaps():
     for wrong in (np.zeros((6, 2, 3)), np.zeros((6, 1, 0)), np.zeros((6, 1, 3, 1))):
         with pytest.raises(ValueError, match=r"z has shape .*, expected \(T, 1\)"):
             kalman_filter(model, wrong)
-    z[2, 0, 1] = np.nan
-    with pytest.raises(ValueError, match="holds NaN: .* / .*memuat NaN"):
-        kalman_filter(model, z)
     z[2, 0, 1] = np.inf
     with pytest.raises(ValueError, match="finite"):
         kalman_filter(model, z)
+
+
+@pytest.mark.parametrize("together", [True, False])
+def test_many_runs_with_gaps_and_matrices_of_each_step(together):
+    """Sensors that are silent in all runs, or in one only."""
+    rng = np.random.default_rng(9)
+    model, T = random_model(rng, n=3, m=2, l=1), 30
+    model = LinearModel(F=model.F * rng.uniform(0.9, 1, size=(T, 1, 1)), H=model.H, Q=model.Q, B=model.B,
+                        R=model.R * rng.uniform(0.5, 2, size=(T, 1, 1)), x0=model.x0, P0=model.P0)
+    u, z = rng.normal(size=(T, 1)), rng.normal(size=(T, 2, 3))
+    z[4] = z[6, 1] = np.nan
+    if not together:
+        z[8, 0, 1] = np.nan
+    result = kalman_filter(model, z, u)
+    smooth = smooth_runs(result)
+    for run in range(3):
+        alone = kalman_filter(model, z[:, :, run], u)
+        back = rts_smooth(alone)
+        for name in ("x_pred", "x", "y"):
+            close(np.nan_to_num(getattr(result, name)[..., run]), np.nan_to_num(getattr(alone, name)), 1e-12)
+        for name in ("P_pred", "P", "S", "K"):
+            ours = getattr(result, name)
+            close(ours if together else ours[..., run], getattr(alone, name), 1e-12)
+        close(smooth.x[..., run], back.x, 1e-12)
+        close(smooth.P if together else smooth.P[..., run], back.P, 1e-12)
 
 
 def test_many_runs_are_smoothed_run_by_run():

@@ -73,10 +73,10 @@ def test_update_by_hand_refuses_what_it_cannot_use():
     model = LinearModel(**GOOD)
     with pytest.raises(ValueError, match=r"z has shape \(2,\), expected \(1,\)"):
         update(model, model.x0, model.P0, np.zeros(2))
-    with pytest.raises(ValueError, match="z is .*nan.* finite"):
-        update(model, model.x0, model.P0, np.array([np.nan]))
-    with pytest.raises(ValueError, match="R changes in time"):
-        update(LinearModel(**{**GOOD, "R": np.ones((3, 1, 1))}), model.x0, model.P0, np.zeros(1))
+    with pytest.raises(ValueError, match="z is .*inf.* finite"):
+        update(model, model.x0, model.P0, np.array([np.inf]))
+    with pytest.raises(ValueError, match="step 3: .* 3 steps only, 0 to 2"):
+        update(LinearModel(**{**GOOD, "R": np.ones((3, 1, 1))}), model.x0, model.P0, np.zeros(1), k=3)
 
 
 def test_simulation_refuses_inputs_and_noise_of_another_length():
@@ -97,12 +97,18 @@ def test_R_in_time_must_be_as_long_as_z():
 
 
 def test_nonlinear_functions_are_checked():
-    good = dict(f=lambda x, u: x, F=lambda x, u: np.eye(2), h=lambda x: x[:1], H=lambda x: np.array([[1, 0]]),
+    good = dict(f=lambda x, u: x, F=lambda x, u: np.eye(2), h=lambda x, u: x[:1], H=lambda x, u: np.array([[1, 0]]),
                 Q=np.eye(2), R=[[1]], x0=[0, 0], P0=np.eye(2))
-    with pytest.raises(ValueError, match=r"H\(x\) has shape \(2,\), expected \(1, 2\)"):
-        NonlinearModel(**{**good, "H": lambda x: np.array([1, 0])})
-    with pytest.raises(ValueError, match=r"h\(x\) has shape \(2,\), expected \(1,\)"):
-        NonlinearModel(**{**good, "h": lambda x: x})
+    with pytest.raises(ValueError, match=r"H\(x, u\) has shape \(3,\), expected \(1, 2\)"):
+        NonlinearModel(**{**good, "H": lambda x, u: np.array([1, 0, 0])})
+    with pytest.raises(ValueError, match=r"h\(x, u\) has shape \(2,\), expected \(1,\)"):
+        NonlinearModel(**{**good, "h": lambda x, u: x})
+    with pytest.raises(ValueError, match=r"h must take two arguments, h\(x, u\).* / .*dua argumen"):
+        NonlinearModel(**{**good, "h": lambda: 0})
+    flat = kalman_filter(NonlinearModel(**{**good, "H": lambda x, u: np.array([1, 0])}), [1.0])
+    assert np.array_equal(flat.x, kalman_filter(NonlinearModel(**good), [1.0]).x)
+    alone = kalman_filter(NonlinearModel(**{**good, "h": lambda x: x[:1], "H": lambda x: [1, 0]}), [1.0])
+    assert np.array_equal(alone.x, flat.x)
     with pytest.raises(ValueError, match=r"F\(x, u\) has shape \(1, 2\), expected \(2, 2\)"):
         kalman_filter(NonlinearModel(**{**good, "F": lambda x, u: np.array([[1, 0]])}), [1.0])
 

@@ -64,7 +64,7 @@ def model(p):
     """The source's model: state [d, theta, v], measured: d."""
     check(p)
     H = np.array([[1.0, 0, 0]])
-    return NonlinearModel(f=lambda x, u: f(x, p.dt), F=lambda x, u: F(x, p.dt), h=lambda x: H @ x, H=lambda x: H,
+    return NonlinearModel(f=lambda x, u: f(x, p.dt), F=lambda x, u: F(x, p.dt), h=lambda x, u=None: H @ x, H=lambda x, u=None: H,
                           Q=np.diag([0, p.Q_theta, p.Q_v]), R=p.R, x0=[p.d0, p.theta0, p.v0],
                           P0=np.diag([p.sigma_d, p.sigma_theta, p.sigma_v]) ** 2, many_runs=True)
 
@@ -101,10 +101,10 @@ def bearing_model(p):
         J[3, 1:3] = p.dt * x[2] * np.cos(x[1]), p.dt * np.sin(x[1])
         return J
 
-    def h(x):
+    def h(x, u=None):
         return np.array([x[0], np.arctan2(x[3], x[0])])
 
-    def H(x):
+    def H(x, u=None):
         d, l, r2 = x[0], x[3], x[0] ** 2 + x[3] ** 2
         return np.array([[1, 0, 0, 0], [-l / r2, 0, 0, d / r2]])
 

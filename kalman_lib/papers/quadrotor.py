@@ -13,7 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..models import LinearModel, _shape_message
+from ..checks import shape_message
+from ..models import LinearModel
 from ..simulate import Trajectory
 from . import check, param
 
@@ -339,7 +340,7 @@ def _recording(t, gyr, acc, mag, rest_s):
     for name, values, expected in (("t", t, (len(t),)), ("gyr", gyr, (len(t), 3)), ("acc", acc, (len(t), 3)),
                                    ("mag", mag, (len(t), 3))):
         if values.shape != expected:
-            raise ValueError(_shape_message(name, values.shape, expected))
+            raise ValueError(shape_message(name, values.shape, expected))
     for name, values in (("t", t), ("gyr", gyr)):
         bad = ~np.isfinite(values.reshape(len(t), -1)).all(axis=1)
         if bad.any():

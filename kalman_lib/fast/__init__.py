@@ -1,0 +1,80 @@
+"""The same results sooner. Nobody needs to read this to understand the book: `filters.py` says it all.
+
+A form is chosen by itself where it gives what the readable loop gives, to 1e-12 (tests/test_fast.py); where rounding is
+in the way (`rounding.py`), or nothing fits, the loop does the work.
+
+numbers.py    one state, one sensor, in plain Python numbers
+states.py     some states, entry by entry (entries.py) until the gain settles; from there on in one go (scan.py)
+blocks.py     a long series with gaps, or with an R that changes in time, as many short ones side by side
+runs.py       many runs of a linear model, which share their gains
+extended.py   many runs of a nonlinear model with one sensor
+smoothing.py  the smoothers of these results
+lazy.py       results that compute what is asked for
+"""
+import functools
+
+import numpy as np
+
+from .. import filters
+from ..checks import check_series, series, shaped_series
+from ..models import LinearModel, NonlinearModel, steps_of, subtract
+from . import extended, runs, smoothing, states
+from .parts import Series
+
+SHORT = 50              # steps: the loop itself is quick enough
+
+
+@functools.wraps(filters.kalman_filter)
+def kalman_filter(model, z, u=None, adapt_R=None, gate=None):
+    if adapt_R is None and gate is None:
+        quick = _quick(model, z, u)
+        if quick is not None:
+            return quick
+    return filters.kalman_filter(model, z, u, adapt_R, gate)
+
+
+def _quick(model, z, u):
+    """The FilterResult of a fast form, or None: then the loop does it, and says what is wrong if something is."""
+    z = shaped_series("z", z, width=model.R.shape[-1], runs=True)
+    if z.ndim == 2:                             # of many runs what is not finite shows at the end
+        check_series("z", z)
+    steps_of(model, len(z))
+    u = None if u is None else series("u", u, steps=len(z))
+    if not np.isfinite(model.R).all():
+        return None
+    if isinstance(model, NonlinearModel):
+        fits = z.ndim == 3 and z.shape[1] == 1 and model.many_runs and model.R.ndim == model.Q.ndim == 2
+        return extended.filter_runs(model, z, u) if fits else None
+    if len(z) < SHORT or not _plain(model, u):
+        return None
+    s = Series.of(model, z, u)
+    if z.ndim == 3:
+        return runs.filter_runs(s)
+    return states.filter_series(s)
+
+
+def _plain(model, u):
+    """A linear model, fixed but for R, with the usual residual, and an input that fits it."""
+    if not isinstance(model, LinearModel) or model.residual is not subtract:
+        return False
+    if any(M is not None and M.ndim == 3 for M in (model.F, model.H, model.Q, model.B)):
+        return False
+    return u is None or (model.B is not None and u.shape[1] == model.B.shape[1])
+
+
+@functools.wraps(filters.rts_smooth)
+def rts_smooth(result):
+    quick = smoothing.smooth(result) if result.x.ndim == 2 else None
+    return filters.rts_smooth(result) if quick is None else quick
+
+
+def smooth_runs(result):
+    """rts_smooth of many runs at once: a FilterResult with x (T, n, N) -> SmootherResult with x (T, n, N).
+
+    P is (T, n, n), the same for all runs, or (T, n, n, N) where they do not share it.
+    """
+    if result.x.ndim != 3:
+        raise ValueError("smooth_runs takes the result of kalman_filter for many runs, x of shape (T, n, N). / "
+                         "smooth_runs menerima hasil kalman_filter untuk banyak percobaan, x berukuran (T, n, N).")
+    quick = smoothing.smooth(result)
+    return filters.smooth_runs(result) if quick is None else quick

@@ -1,0 +1,98 @@
+"""The extended Kalman filter of many runs, entry by entry: every run has its own P, S, K and F.
+
+Serves the row "beetle EKF" of the bench, and the studies of chapter 5. All arrays have the axis of the runs as their
+last one: P (T, n, n, N) and so on.
+"""
+import functools
+from itertools import repeat
+
+import numpy as np
+
+from ..checks import root_of, shape_message
+from . import entries
+from .lazy import LazyFilterResult
+
+
+def filter_runs(model, z, u):
+    """z (T, 1, N), u (T, l) or None -> FilterResult; None where something is not finite: the loop says what."""
+    T, _, runs = z.shape
+    n = len(model.x0)
+    Q = [[q or None for q in row] for row in np.asarray(model.Q).tolist()]
+    u = list(repeat(None, T)) if u is None else u
+    x, P = np.empty((T, n, runs)), []
+    x_k, P_k = np.repeat(model.x0[:, np.newaxis], runs, axis=1), np.asarray(model.P0).tolist()
+    for k in range(T):
+        x_pred, F = _transition(model, x_k, u[k])
+        P_k = entries.predict(P_k, entries.sparse(F), Q)
+        h, H = _measure(model, x_pred, u[k])
+        y = model.residual(z[k], h)[0]
+        heard = np.isfinite(y)
+        if heard.all():
+            heard = None
+        P_k, K, _ = entries.update(P_k, entries.sparse(H)[0], float(model.R[0, 0]), heard)
+        x_k = x[k]
+        for i, K_i in enumerate(K):
+            np.add(x_pred[i], K_i * (y if heard is None else np.nan_to_num(y)), out=x_k[i])
+        P.append(P_k)
+    if not np.isfinite(x[-1]).all():
+        return None
+    later = functools.cache(functools.partial(_everything, model, z, u, x, P))
+    names = ("x_pred", "P_pred", "y", "S", "K", "F", "H")
+    fixed = {"Q": np.broadcast_to(model.Q, (T, n, n)), "R": np.broadcast_to(model.R, (T, 1, 1))}
+    return LazyFilterResult(
+        x=x, P=lambda: np.array([_dense(P_k, runs) for P_k in P]), start=root_of(model.P0),
+        gated=lambda: np.zeros(z.shape, dtype=bool), **fixed,
+        **{name: lambda i=i: later()[i] for i, name in enumerate(names)})
+
+
+def _transition(model, x, u):
+    """f (n, N) and the entries of F, checked."""
+    f = np.asarray(model.f(x, u), dtype=float)
+    if f.shape != x.shape:
+        raise ValueError(shape_message("f(x, u)", f.shape, x.shape))
+    return f, _rows("F(x, u)", model.F(x, u), (len(x), len(x)), x.shape[1])
+
+
+def _measure(model, x, u):
+    """h (1, N) and the entries of H, checked."""
+    h = np.asarray(model.h(x, u), dtype=float)
+    if h.shape != (1, x.shape[1]):
+        raise ValueError(shape_message("h(x, u)", h.shape, (1, x.shape[1])))
+    return h, _rows("H(x, u)", model.H(x, u), (1, len(x)), x.shape[1])
+
+
+def _rows(name, M, shape, runs):
+    """M as rows of entries, each a number or (N,)."""
+    found = (len(M), *{len(row) for row in M})
+    if found != shape:
+        raise ValueError(shape_message(name, found, shape))
+    for row in M:
+        for entry in row:
+            if np.shape(entry) not in ((), (runs,)):
+                raise ValueError(shape_message(f"{name}[...]", np.shape(entry), (runs,)))
+    return M
+
+
+def _dense(M, runs):
+    """Rows of entries, numbers or (N,), as an array (rows, columns, N)."""
+    return np.array([[np.broadcast_to(entry, runs) for entry in row] for row in M], dtype=float)
+
+
+def _everything(model, z, u, x, P):
+    """What is rarely read is computed again rather than kept: x_pred, P_pred, y, S, K, F, H of all steps."""
+    n, runs = x.shape[1:]
+    Q = [[q or None for q in row] for row in np.asarray(model.Q).tolist()]
+    x_k, P_k = np.repeat(model.x0[:, np.newaxis], runs, axis=1), np.asarray(model.P0).tolist()
+    columns = []
+    for k in range(len(z)):
+        x_pred, F = _transition(model, x_k, u[k])
+        P_pred = entries.predict(P_k, entries.sparse(F), Q)
+        h, H = _measure(model, x_pred, u[k])
+        y = model.residual(z[k], h)
+        heard = np.isfinite(y[0])
+        _, K, S = entries.update(P_pred, entries.sparse(H)[0], float(model.R[0, 0]), heard)
+        S = np.broadcast_to(S, (1, 1, runs))
+        columns.append((x_pred, _dense(P_pred, runs), y, S, _dense([[K_i] for K_i in K], runs), _dense(F, runs),
+                        _dense(H, runs)))
+        x_k, P_k = x[k], P[k]
+    return [np.array(column) for column in zip(*columns)]

@@ -1,0 +1,92 @@
+"""Many runs of one linear model: P, S and K hold no data, so all runs share them.
+
+Serves the rows "gyro Monte Carlo" and "1,000 x 1,000" of the bench, and every study of montecarlo.py.
+"""
+import numpy as np
+
+from . import rounding, states
+from .lazy import Gains, repeat_last, result_of
+from .scan import STEADY, radius
+
+MANY = 8                # steps of all runs that one product of matrices does
+
+
+def filter_runs(s):
+    """The FilterResult of z (T, m, N), or None: runs that do not hear the same sensors, or rounding."""
+    if s.R.ndim == 3:
+        return None
+    nothing = s._replace(z=np.zeros(s.z.shape[:2]), drive=None, x0=np.zeros(len(s.x0)))
+    parts = nothing.parts()
+    found = [states.filter_part(part) for _, part in parts]
+    if any(answer is None for answer in found):
+        return None
+    gains = Gains(s, states.together(s, parts, [P for _, P in found]))
+    if not rounding.well_conditioned(gains.S):
+        return None
+    x = np.empty((len(s.z), len(s.x0), s.z.shape[2]))
+    I_KH = np.eye(len(s.x0)) - gains.K @ s.H
+    if radius(I_KH[-1] @ s.F) > STEADY:
+        one_by_one(s, repeat_last(gains.K, len(x)), x)      # 1 - K has lost the digits of a small K
+    else:
+        drive = None
+        if s.drive is not None:
+            drive = np.einsum("kij,kj->ki", repeat_last(I_KH, len(x)), s.drive)
+        steps(I_KH @ s.F, gains.K, s.z, drive, s.x0[:, np.newaxis], x)
+    if not np.isfinite(x[-1]).all():
+        return None                             # a NaN in z would still be there
+    largest = np.abs(x[MANY - 1::MANY]).max(axis=(0, 2), initial=0)
+    S = np.sqrt(np.einsum("kii->ki", gains.S)).max(axis=0)
+    return result_of(gains, x) if rounding.near(s, largest, S) else None
+
+
+def one_by_one(s, K, x):
+    """The filter's own equations for all runs, one step after the other, into x (T, n, N)."""
+    before = s.x0[:, np.newaxis]
+    for k in range(len(x)):
+        x_pred = s.F @ before
+        if s.drive is not None:
+            x_pred = x_pred + s.drive[k][:, np.newaxis]
+        before = np.add(x_pred, K[k] @ (s.z[k] - s.H @ x_pred), out=x[k])
+
+
+@np.errstate(over="ignore", invalid="ignore")   # who calls looks at the end
+def steps(A, K, z, drive, start, x, backwards=False):
+    """x_k = A_k x_{k-1} + K_k z_k + drive_k for all runs, into x (T, n, N); z (T, m, N), drive (T, n) or None,
+    start (n, N) or (n, 1). A (k, n, n) and K (k, n, m): at later steps they are the last one. Backwards:
+    x_k = A_k x_{k+1} + K_k z_k + drive_k, from the last step to the first.
+
+    Many multiplications by a number read and write all runs again and again. One product of matrices does it for MANY
+    steps: the states after each of them are M [x; z of the first; z of the second; ...; 1].
+    """
+    (T, n, runs), m = x.shape, z.shape[1]
+    W = np.empty((n + MANY * m + 1, runs))
+    before = np.broadcast_to(start, (n, runs))
+    blocks = [range(first, min(first + MANY, T)) for first in range(0, T, MANY)]
+    known, M = None, None
+    for block in reversed(blocks) if backwards else blocks:
+        at = np.minimum(block, len(A) - 1)
+        if (at[0], at[-1], len(block)) != known or drive is not None:
+            M = _product(A[at], K[at], None if drive is None else drive[block.start:block.stop], backwards)
+            known = at[0], at[-1], len(block)
+        W_block = W[:M.shape[1]]
+        W_block[:n] = before
+        W_block[n:n + len(block) * m] = z[block.start:block.stop].reshape(-1, runs)
+        if drive is not None:
+            W_block[-1] = 1
+        states_ = np.dot(M, W_block, out=x[block.start:block.stop].reshape(-1, runs))
+        before = states_[:n] if backwards else states_[-n:]
+
+
+def _product(A, K, drive, backwards):
+    """M (steps n, n + steps m [+ 1]) of one block; its last column is what the states owe to the drive."""
+    count, n, m = K.shape
+    row = np.zeros((n, n + count * m + (drive is not None)))
+    row[:, :n] = np.eye(n)
+    M = np.empty((count, *row.shape))
+    for j in reversed(range(count)) if backwards else range(count):
+        row = A[j] @ row
+        row[:, n + j * m:n + (j + 1) * m] += K[j]
+        if drive is not None:
+            row[:, -1] += drive[j]
+        M[j] = row
+    return M.reshape(count * n, -1)

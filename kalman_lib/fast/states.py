@@ -1,0 +1,179 @@
+"""One series, entry by entry until the gain has settled, and from there on in one go.
+
+Serves the rows "2-state" of the bench.
+"""
+from itertools import repeat
+
+import numpy as np
+
+from .. import filters
+from ..models import LinearModel
+from . import blocks, entries, rounding
+from .lazy import Gains, repeat_last, result_of
+from .numbers import filter_number
+from .scan import LONG, STEADY, radius, scan
+
+SLOW = 1e-3             # a filter that forgets less than this in a step seems to settle before it has
+HEAD = 64               # steps that the loop may take over where a vague start costs digits
+
+
+def filter_series(s):
+    """The FilterResult of one run, or None where the loop is needed."""
+    parts = s.parts()
+    found = [filter_part(part) for _, part in parts]
+    if any(answer is None for answer in found):
+        return None
+    x = np.empty((len(s.z), len(s.x0)))
+    for (states, part), (x_part, P) in zip(parts, found):
+        x[:, states] = settled(part, x_part, P)
+    gains = Gains(s, together(s, parts, [P for _, P in found]))
+    if len(s.H) > 1 and not rounding.well_conditioned(gains.S):
+        return None
+    result = result_of(gains, x)
+    innovations = np.abs(result.y)
+    np.nan_to_num(innovations, copy=False)
+    return result if rounding.near(s, np.abs(x).max(axis=0), innovations.max(axis=0)) else None
+
+
+def together(s, parts, covariances):
+    """P (k, n, n) from those of the parts."""
+    if len(parts) == 1:
+        return covariances[0]
+    P = np.zeros((max(map(len, covariances)), *s.F.shape))
+    for (states, _), P_part in zip(parts, covariances):
+        P[(slice(None), *np.ix_(states, states))] = repeat_last(P_part, len(P))
+    return P
+
+
+def filter_part(s):
+    """x (k, n) and P (k, n, n) until P stays as it is; None where the loop is needed."""
+    if s.F.shape == s.H.shape == (1, 1):
+        return filter_number(s)
+    if not is_diagonal(s.R):
+        return None
+    if s.varies and len(s.z) >= LONG:
+        found = with_head(s, blocks.filter_blocks)
+        if found is not None:
+            return found
+    return with_head(s, filter_states)
+
+
+def is_diagonal(R):
+    """Do the sensors not disturb each other? R (m, m) or (T, m, m)."""
+    return not (R * (1 - np.eye(R.shape[-1]))).any()
+
+
+def with_head(s, form):
+    """form(s) -> x, P; where a vague start costs it digits, the loop of filters.py does the first steps."""
+    found = form(s)
+    if found is None:
+        return None
+    costly = np.flatnonzero(rounding.too_much(s, found[1]))
+    if len(costly) == 0:
+        return found
+    head = int(costly[-1]) + 1
+    if head > HEAD or head + HEAD > len(s.z):
+        return None
+    first = by_the_loop(s, head)
+    rest = s.after(head, first.x[-1], first.P[-1])
+    found = form(rest)
+    if found is None or rounding.too_much(rest, found[1]).any():
+        return None
+    return np.concatenate([first.x, found[0]]), np.concatenate([first.P, found[1]])
+
+
+def by_the_loop(s, steps):
+    """The FilterResult of the first steps."""
+    R = s.R if s.R.ndim == 2 else s.R[:steps]
+    model = LinearModel(s.F, s.H, s.Q, R, s.x0, s.P0, B=np.eye(len(s.x0)))
+    return filters.kalman_filter(model, s.z[:steps], None if s.drive is None else s.drive[:steps])
+
+
+def filter_states(s):
+    """A few states, their sensors one after the other -> x (k, n), P (k, n, n)."""
+    F, H = entries.sparse(s.F.tolist()), entries.sparse(s.H.tolist())
+    Q = [[q or None for q in row] for row in s.Q.tolist()]
+    x, P = s.x0.tolist(), s.P0.tolist()
+    R = np.einsum("...ii->...i", s.R)
+    rows_R = repeat(R.tolist()) if R.ndim == 1 else entries.floats(R)
+    rows_drive = repeat(None) if s.drive is None else entries.floats(s.drive)
+    states, covariances = [], []
+    for z_k, R_k, drive_k in zip(entries.floats(s.z), rows_R, rows_drive):
+        before = P
+        x = [entries.dot(row, x) for row in F]
+        if drive_k is not None:
+            x = [x_i + drive_i for x_i, drive_i in zip(x, drive_k)]
+        x, P = one_step(x, entries.predict(P, F, Q), z_k, H, R_k)
+        states.append(x)
+        covariances.append(P)
+        if not s.varies and len(states) % 8 == 0 and has_settled(s, P, before):
+            break
+    return np.array(states), np.array(covariances)
+
+
+def one_step(x, P, z, H, R):
+    """The update with all sensors that are not silent -> x, P."""
+    y = [z_i - entries.dot(h, x) for z_i, h in zip(z, H)]       # first, as the loop does it: it keeps digits
+    change = [0.0] * len(x)
+    for y_i, h, R_i in zip(y, H, R):
+        if y_i == y_i:                          # not NaN
+            P, k, _ = entries.update(P, h, R_i)
+            y_i = y_i - entries.dot(h, change)
+            change = [c + k_j * y_i for c, k_j in zip(change, k)]
+    return [x_j + c for x_j, c in zip(x, change)], P
+
+
+def has_settled(s, P, before):
+    """Are all changes of P that are still to come, together, below 1e-13 of P?
+
+    The changes shrink by rho^2 from step to step, rho being what a step leaves of an error: their sum is the next one
+    times 1 / (1 - rho^2).
+    """
+    if abs(P[0][0] - before[0][0]) > 1e-13 * P[0][0]:
+        return False
+    P, before = np.array(P), np.array(before)
+    sigma = np.sqrt(np.abs(np.diag(P)))
+    change, limit = np.abs(P - before), 1e-13 * np.outer(sigma, sigma)
+    if (change > limit).any():
+        return False
+    left = 1 - radius(s.F - gain_after(s, P) @ s.H @ s.F) ** 2
+    return left > SLOW and bool((change <= limit * left).all())
+
+
+def gain_after(s, P):
+    """The gain K of the step after P."""
+    P_pred = s.F @ P @ s.F.T + s.Q
+    return np.linalg.solve(s.H @ P_pred @ s.H.T + s.R, s.H @ P_pred).T
+
+
+def settled(s, head, P):
+    """x (T, n), of which the first steps are known, head (k, n): from there on the gain is K."""
+    k, T = len(head), len(s.z)
+    if k == T:
+        return head
+    K = gain_after(s, P[-1])
+    x = np.empty((T, len(s.x0)))
+    x[:k] = head
+    I_KH = np.eye(len(s.x0)) - K @ s.H
+    if T - k >= LONG and radius(I_KH @ s.F) <= STEADY:
+        x[k:] = s.z[k:] @ K.T
+        if s.drive is not None:
+            x[k:] += s.drive[k:] @ I_KH.T
+        scan(I_KH @ s.F, x[k:], head[-1])
+    else:
+        one_by_one(s, K, x, k)
+    return x
+
+
+def one_by_one(s, K, x, k):
+    """x (T, n) from step k on with the gain K, in the order of the loop's operations."""
+    F, H, K = (entries.sparse(M.tolist()) for M in (s.F, s.H, K))
+    drive = repeat(None) if s.drive is None else entries.floats(s.drive[k:])
+    x_k = x[k - 1].tolist()
+    for i, z_k, drive_k in zip(range(k, len(x)), entries.floats(s.z[k:]), drive):
+        x_k = [entries.dot(row, x_k) for row in F]
+        if drive_k is not None:
+            x_k = [x_i + drive_i for x_i, drive_i in zip(x_k, drive_k)]
+        y = [z_i - entries.dot(h, x_k) for z_i, h in zip(z_k, H)]
+        x_k = [x_i + entries.dot(row, y) for x_i, row in zip(x_k, K)]
+        x[i] = x_k
