@@ -4,10 +4,12 @@ from .filters import FilterResult, SmootherResult, predict, update
 from .metrics import chi2_bounds, nees, nis, rmse
 from .models import LinearModel, NonlinearModel, subtract
 from .simulate import Trajectory
+from .tuning import check_jacobians, discretise, fit, log_likelihood, steady, whiteness
 
-__all__ = ["FilterResult", "LinearModel", "NonlinearModel", "SmootherResult", "Trajectory", "chi2_bounds",
-           "kalman_filter", "mismatch_map", "monte_carlo", "nees", "nis", "predict", "rmse", "rts_smooth", "smooth_runs",
-           "subtract", "update"]
+__all__ = ["FilterResult", "LinearModel", "NonlinearModel", "SmootherResult", "Trajectory",
+           "check_jacobians", "chi2_bounds", "discretise", "fit", "kalman_filter", "log_likelihood", "mismatch_map",
+           "monte_carlo", "nees", "nis", "predict", "rmse", "rts_smooth", "smooth_runs", "steady", "subtract", "update",
+           "whiteness"]
 
 
 def __getattr__(name):

@@ -50,7 +50,7 @@ class LinearModel:
         _check_noise(Q, R, x0, P0, n, m)
         _freeze(self, F=F, H=H, Q=Q, R=R, x0=x0, P0=P0, B=B)
 
-    def transition(self, x, u=None):
+    def transition(self, x, u=None, k=0):
         """The next state F x + B u (n,) and F (n, n). Without u there is no B u."""
         if u is None:
             return self.F @ x, self.F
@@ -60,7 +60,7 @@ class LinearModel:
             raise ValueError(_shape_message("u", np.shape(u), (self.B.shape[1],)))
         return self.F @ x + self.B @ u, self.F
 
-    def measure(self, x):
+    def measure(self, x, u=None, k=0):
         """What the sensor would show without noise, H x (m,), and H (m, n)."""
         return self.H @ x, self.H
 
@@ -94,12 +94,12 @@ class NonlinearModel:
         _freeze(self, Q=Q, R=R, x0=x0, P0=P0)
         self.measure(x0)
 
-    def transition(self, x, u=None):
+    def transition(self, x, u=None, k=0):
         """The next state f(x, u) (n,) and the Jacobian F (n, n) at x."""
         n = len(self.x0)
         return _result("f(x, u)", self.f(x, u), (n,)), _result("F(x, u)", self.F(x, u), (n, n))
 
-    def measure(self, x):
+    def measure(self, x, u=None, k=0):
         """What the sensor would show without noise, h(x) (m,), and the Jacobian H (m, n) at x."""
         n, m = len(self.x0), self.R.shape[-1]
         return _result("h(x)", self.h(x), (m,)), _result("H(x)", self.H(x), (m, n))
