@@ -204,9 +204,10 @@ def _result(name, value, expected, k):
     """What a function of the nonlinear model returned at step k, as a finite array of the expected shape."""
     array = _shaped(name, value, expected)
     if not np.isfinite(array).all():
-        raise ValueError(f"{name} is {array.tolist()} at step {k} (counted from 0); expected finite numbers. / "
-                         f"{name} bernilai {array.tolist()} pada langkah {k} (dihitung dari 0); "
-                         f"seharusnya bilangan berhingga.")
+        entry = np.argwhere(~np.isfinite(array))[0].tolist()
+        where, value = f"{name}{entry}", array[tuple(entry)]
+        raise ValueError(f"{where} is {value} at step {k} (counted from 0); expected a finite number. / "
+                         f"{where} bernilai {value} pada langkah {k} (dihitung dari 0); seharusnya bilangan berhingga.")
     return array
 
 

@@ -16,8 +16,10 @@ ALLOWED = {     # file -> what of our own it may import, and which packages; the
     "metrics.py": ({"checks"}, NUMERICS | {"scipy"}),
     "simulate.py": ({"checks", "models"}, NUMERICS),
     "filters.py": ({"checks", "models"}, NUMERICS | {"scipy"}),
+    "numeric.py": (set(), NUMERICS | {"scipy"}),
+    "tuning.py": ({"checks", "models", "filters", "fast", "numeric"}, NUMERICS | {"scipy"}),
     "montecarlo.py": ({"models", "fast"}, NUMERICS | {"tqdm"}),         # tqdm: only if it is there
-    "__init__.py": ({"models", "metrics", "simulate", "filters", "fast", "montecarlo"}, set()),
+    "__init__.py": ({"models", "metrics", "simulate", "filters", "fast", "tuning", "montecarlo"}, set()),
     "spreadsheet.py": (set(), NUMERICS | {"openpyxl"}),
     "recording.py": ({"spreadsheet"}, NUMERICS),
     "sketch.py": (set(), NUMERICS),
@@ -25,7 +27,7 @@ ALLOWED = {     # file -> what of our own it may import, and which packages; the
     "widgets.py": ({"models", "metrics", "simulate", "filters", "fast", "papers", "plots", "spreadsheet", "recording"},
                    NUMERICS | {"ipywidgets", "IPython"}),
 }
-PAPER = ({"checks", "models", "simulate", "papers"}, NUMERICS)        # "papers": only the package itself, see below
+PAPER = ({"checks", "models", "simulate", "numeric", "tuning", "papers"}, NUMERICS)    # "papers": the package alone
 FAST = ({"checks", "models", "filters", "fast"}, NUMERICS)
 
 

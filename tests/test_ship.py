@@ -4,11 +4,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from filterpy.kalman import KalmanFilter
-from scipy.optimize import minimize
 from statsmodels.tools.numdiff import approx_hess
 from statsmodels.tsa.statespace.sarimax import SARIMAX
 
-from kalman_lib import chi2_bounds, kalman_filter, nees, nis, rmse, rts_smooth
+from kalman_lib import chi2_bounds, fit, kalman_filter, nees, nis, rmse, rts_smooth
 from kalman_lib.papers import ship, smoother
 
 TRUE = ship.Params(c=0.03, a1=1.7, a2=-0.72, Q=0.0025, Q_copy=0, R=0.01, x0=1.5)   # poles 0.9 and 0.8, mean 1.5 m/s
@@ -167,24 +166,27 @@ def test_likelihood_is_statsmodels_likelihood():
     assert ship.log_likelihood(z, p) == pytest.approx(theirs.loglike([p.a1, p.a2, p.R, p.Q]), rel=1e-8)
 
 
-SMOOTH = [0, 1.8, -0.81, np.log(1e-4), np.log(0.01)]        # a start with both poles at 0.9
+SMOOTH = dict(c=0, a1=1.8, a2=-0.81, Q=1e-4, R=0.01)        # a start with both poles at 0.9
+
+
+NAMES = ("c", "a1", "a2", "Q", "R")
 
 
 def most_likely(z, p, *more):
     """The best of the searches that start at the biased fit and at each of the other starts."""
-    starts = [[*ship.fit(z), np.log(0.01), np.log(0.01)], *more]
-    found = [minimize(ship.cost, start, args=(z, p), method="BFGS", options={"gtol": 0.01}) for start in starts]
-    return min(found, key=lambda result: result.fun).x
+    starts = [ship.fitted(z, replace(p, Q=0.01, R=0.01)), *(replace(p, **start) for start in more)]
+    return max((ship.most_likely(z, start) for start in starts), key=lambda found: found.log_likelihood)
 
 
 def test_maximum_likelihood_recovers_the_true_coefficients_on_100_seeds():
     """Inside +-2 standard errors lie 95.4 % of the time; 87 of 100 or fewer happen once in 1,000 tests."""
-    truth = [TRUE.c, TRUE.a1, TRUE.a2, np.log(TRUE.Q), np.log(TRUE.R)]
     scaled, biased = [], []
     for seed in range(100):
         z = ship.simulate(TRUE, np.random.default_rng(seed), 500).z[:, 0]
-        v = most_likely(z, TRUE)
-        scaled.append((v - truth) / ship.standard_errors(v, z, TRUE))
+        found = most_likely(z, TRUE)
+        scaled.append([(found.values[name] - getattr(TRUE, name)) / found.errors[name] for name in NAMES[:3]]
+                      + [np.log(found.values[name] / getattr(TRUE, name)) / (found.errors[name] / found.values[name])
+                         for name in NAMES[3:]])
         biased.append(ship.fit(z))
     inside = (np.abs(scaled) < 2).sum(axis=0)
     assert (inside >= 88).all() and (np.abs(np.mean(scaled, axis=0)) < 0.4).all()
@@ -195,9 +197,36 @@ def test_maximum_likelihood_recovers_the_true_coefficients_on_100_seeds():
 def test_standard_errors_come_from_the_curvature():
     """Against the Hessian of statsmodels, which differentiates in its own way."""
     z = ship.simulate(TRUE, np.random.default_rng(3), 500).z[:, 0]
-    v = most_likely(z, TRUE)
-    theirs = np.sqrt(np.diag(np.linalg.inv(approx_hess(v, ship.cost, args=(z, TRUE)))))
-    assert ship.standard_errors(v, z, TRUE) == pytest.approx(theirs, rel=0.01)
+    found = most_likely(z, TRUE)
+    v = np.array([found.values[name] for name in NAMES])
+
+    def cost(v):
+        return -ship.log_likelihood(z, replace(TRUE, **dict(zip(NAMES, v))))
+    theirs = np.sqrt(np.diag(np.linalg.inv(approx_hess(v, cost))))
+    assert [found.errors[name] for name in NAMES] == pytest.approx(theirs, rel=0.01)
+
+
+def test_the_general_fit_finds_the_same_maximum():
+    z = ship.simulate(TRUE, np.random.default_rng(4), 200).z[:, 0]
+    p = ship.fitted(z, replace(TRUE, Q=0.01, R=0.01))
+    quick = ship.most_likely(z, p)
+    start = {name: getattr(p, name) for name in NAMES}
+    found = fit(lambda **values: ship.model(replace(p, **values)), start, z, u=np.ones(200), free=NAMES[:3])
+    assert found.log_likelihood == pytest.approx(quick.log_likelihood, abs=1e-6)
+    assert found.values == pytest.approx(quick.values, rel=1e-3) and found.errors == pytest.approx(quick.errors, rel=1e-2)
+
+
+def test_the_quick_filter_settles_when_nothing_is_left_to_come():
+    """a2 = 0 is an AR(1): five thousand steps of the scalar filter, one after the other, in long double."""
+    p = ship.Params(c=0, a1=0.999, a2=0, Q=1e-9, Q_copy=0, R=1e4, P0=0)
+    x = P = np.longdouble(0)
+    for _ in range(5000):
+        P_pred = np.longdouble(0.999) ** 2 * P + np.longdouble(1e-9)
+        K = P_pred / (P_pred + 10_000)
+        x, P = np.longdouble(0.999) * x + K * (1000 - np.longdouble(0.999) * x), (1 - K) * P_pred
+    quick = ship.quick_filter(np.full(5000, 1000.0), p)
+    assert quick[0][-1] == pytest.approx(float(x), rel=1e-11) and float(x) == pytest.approx(4.94e-5, rel=1e-3)
+    assert quick[1][-1] == pytest.approx(float(P), rel=1e-11)
 
 
 # --- the filter told the truth; larger R; the smoother ---------------------------------------------------------------
@@ -222,7 +251,7 @@ def test_larger_R_is_smoother_and_later():
 def test_with_the_source_s_settings_our_run_becomes_worse_and_the_remedies_help():
     _, z, x = towing_run()
     p = ship.Params()
-    p_likely = ship.from_vector(most_likely(z, p, SMOOTH), p)
+    p_likely = replace(p, Q_copy=0, **most_likely(z, p, SMOOTH).values)
     source, likely = filtered(z, p), filtered(z, p_likely)
     raw, worse, better, best = (rmse(x, e) for e in (z, source.x[:, 0], likely.x[:, 0], rts_smooth(likely).x[:, 0]))
     assert worse > 1.5 * raw and better < 0.6 * raw and best < 0.75 * better

@@ -4,7 +4,7 @@ import pytest
 from filterpy.kalman import KalmanFilter
 from statsmodels.tsa.statespace.structural import UnobservedComponents
 
-from kalman_lib import kalman_filter
+from kalman_lib import LinearModel, kalman_filter, log_likelihood
 from kalman_lib.papers import smoother
 
 # Figure 3 of the paper, typed from the page; each output rounded to the digits printed
@@ -105,6 +105,19 @@ def test_likelihood_is_statsmodels_likelihood():
     theirs.ssm.initialize_known(np.array([z[0]]), np.array([[2.0 + 0.7]]))  # before z_1: x = z_0, P = R + Q
     theirs.loglikelihood_burn = 0
     assert smoother.log_likelihood(z, 0.7, 2.0) == pytest.approx(theirs.loglike([2.0, 0.7]), rel=1e-9)
+
+
+def test_the_map_of_the_likelihood_is_the_likelihood_of_each_filter():
+    z = np.cumsum(np.random.default_rng(7).normal(size=50))
+    z[[0, 20, 21]] = np.nan
+    Q, R = np.array([0.1, 3.0]), np.array([2.0, 1e-3])
+    each = [log_likelihood(kalman_filter(LinearModel(F=1, H=1, Q=q, R=r, x0=z[1], P0=r), z[2:])) for q, r in zip(Q, R)]
+    assert smoother.log_likelihood(z, Q, R) == pytest.approx(each, rel=1e-12)
+
+
+def test_the_quick_filter_takes_a_list():
+    p = smoother.Params(Q=1, R=1, x0=0, P0=1)
+    assert smoother.scalar_filter([1., 2.], p)[0] == pytest.approx([2 / 3, 2 / 3 + 5 / 8 * 4 / 3], rel=1e-14)
 
 
 def test_maximum_likelihood_on_the_nile():

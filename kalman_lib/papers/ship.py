@@ -1,5 +1,4 @@
 """Chapter 4: the speed of a model ship, AR(2). Source: "Kalman Filter untuk Pengukuran Kecepatan Kapal", a blog of 2018."""
-import math
 import re
 from dataclasses import dataclass, replace
 from typing import NamedTuple
@@ -7,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..models import LinearModel
+from ..numeric import maximise
 from ..simulate import Trajectory
 from ..simulate import simulate as simulate_model
 from . import check, param
@@ -123,19 +123,19 @@ def quick_filter(z, p):
     """
     c, a1, a2, Q, Q_copy, R = p.c, p.a1, p.a2, p.Q, p.Q_copy, p.R
     x, before, P, P_cross, P_before = p.x0, p.x0, p.P0, 0.0, p.P0
-    rows, last, settled = [], None, False
+    rows, settled = [], False
     for z_k in np.asarray(z, dtype=float).tolist():
         x, before = c + a1 * x + a2 * before, x
         if not settled:
+            last = P, P_cross, P_before
             first, second = a1 * P + a2 * P_cross, a1 * P_cross + a2 * P_before
             P_pred, cross_pred, before_pred = a1 * first + a2 * second + Q, first, P + Q_copy
             S = P_pred + R
             K, K_before = P_pred / S, cross_pred / S
-            settled = last is not None and abs(K - last[0]) + abs(K_before - last[1]) < 1e-14
-            last = K, K_before
             P, P_cross, P_before = K * R, K_before * R, before_pred - K_before * cross_pred
+            settled = last == (P, P_cross, P_before)        # to the last bit: so it stays for ever
         if z_k != z_k:                          # NaN, a gap: the prediction stays
-            P, P_cross, P_before, last, settled = P_pred, cross_pred, before_pred, None, False
+            P, P_cross, P_before, settled = P_pred, cross_pred, before_pred, False
             rows.append((x, P, z_k, S))
             continue
         y = z_k - x
@@ -153,32 +153,18 @@ def log_likelihood(z, p):
     return -np.sum(np.log(2 * np.pi * S[known]) + y[known] ** 2 / S[known]) / 2
 
 
-def _exp(logarithm):
-    """exp, kept where a search that strays can neither overflow nor reach zero."""
-    return math.exp(min(max(logarithm, -50), 50))
+def most_likely(z, p, factors=()):
+    """The c, a1, a2, Q and R that make z (T,) most likely, sought from those in p -> Fit.
 
+    p gives x0 and P0, too; the copy has no noise, as in a true AR(2). c, a1 and a2 may be negative.
+    factors as in numeric.maximise: without any, the search climbs the peak near p, which need not be
+    the highest. tuning.fit of `model` finds the same (a test holds it), only much more slowly.
+    """
+    def likelihood(**values):
+        return log_likelihood(z, replace(p, Q_copy=0, **values))
 
-def from_vector(v, p):
-    """The Params p with (c, a1, a2, ln Q, ln R) replaced by v (5,), and a copy without noise, as in a true AR(2)."""
-    c, a1, a2, log_Q, log_R = map(float, v)
-    return replace(p, c=c, a1=a1, a2=a2, Q=_exp(log_Q), R=_exp(log_R), Q_copy=0)
-
-
-def cost(v, z, p):
-    """Minus the log-likelihood of z (T,) at v = (c, a1, a2, ln Q, ln R); p gives x0 and P0. Made for a minimiser."""
-    return -log_likelihood(z, from_vector(v, p))
-
-
-def standard_errors(v, z, p):
-    """Standard errors of v (5,) at the minimum of `cost`: roots of the diagonal of its inverse matrix of curvature."""
-    v, h = np.asarray(v, dtype=float), np.array([1e-4, 1e-4, 1e-4, 1e-2, 1e-2])
-    step = np.diag(h)
-    H = np.empty((5, 5))
-    for i in range(5):
-        for j in range(i + 1):
-            corners = [a * b * cost(v + a * step[i] + b * step[j], z, p) for a in (1, -1) for b in (1, -1)]
-            H[i, j] = H[j, i] = sum(corners) / (4 * h[i] * h[j])
-    return np.sqrt(np.diag(np.linalg.inv(H)))
+    start = {name: getattr(p, name) for name in ("c", "a1", "a2", "Q", "R")}
+    return maximise(likelihood, start, free=("c", "a1", "a2"), factors=factors)
 
 
 # --- readers' own recordings -----------------------------------------------------------------------------------------

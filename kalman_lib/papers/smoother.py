@@ -6,6 +6,7 @@ import numpy as np
 from ..models import LinearModel
 from ..simulate import Trajectory
 from ..simulate import simulate as simulate_model
+from ..tuning import fit
 from . import check, param
 
 # The form of the paper's Figure 3: 16 measurements and the 16 filtered values beside them (the form drops trailing
@@ -48,7 +49,7 @@ def scalar_filter(z, p):
     """
     check(p)
     x, P, rows = p.x0, p.P0, []
-    for z_k in z.tolist():
+    for z_k in np.asarray(z, dtype=float).tolist():
         P_pred = P + p.Q
         K = 0.0 if z_k != z_k else P_pred / (P_pred + p.R)      # z_k != z_k: NaN, a gap
         x, P = (x + K * (z_k - x), K * p.R) if K else (x, P_pred)
@@ -179,10 +180,11 @@ def R_from_steady(z):
 
 
 def log_likelihood(z, Q, R):
-    """Log-likelihood of the measurements z (T,) for every pair of the arrays Q and R (same shape, unit of z squared).
+    """Log-likelihood of z (T,) for every pair of the arrays Q and R (same shape, unit of z squared).
 
-    The innovations of the filter are independent, y ~ N(0, S), so their log-densities add up. The first value only
-    starts the filter (x = z, P = R), as if nothing had been known before. Gaps are steps without a measurement.
+    The innovations of the filter are independent, y ~ N(0, S), so their log-densities add up. The
+    first value only starts the filter (x = z, P = R), as if nothing had been known before. Gaps are
+    steps without a measurement. This is tuning.log_likelihood of many filters at once, for a map.
     """
     Q, R = np.broadcast_arrays(np.asarray(Q, dtype=float), np.asarray(R, dtype=float))
     z = np.asarray(z, dtype=float)
@@ -199,19 +201,17 @@ def log_likelihood(z, Q, R):
     return total
 
 
-def maximum_likelihood(z, decades=8, points=41, rounds=8):
-    """The pair (Q, R) that makes the measurements z (T,) most likely: a search on a log grid that closes in."""
+def maximum_likelihood(z):
+    """The pair (Q, R) that makes z (T,) most likely, by tuning.fit; z[0] starts the filter."""
     z = np.asarray(z, dtype=float)
     steps = np.diff(z[np.isfinite(z)])
     scale = np.var(steps) if len(steps) > 1 else 0
     if not scale > 1e-24 * np.max(np.abs(steps), initial=0) ** 2 or scale == 0:
         raise ValueError("Q and R need at least three values that do not all change by the same amount. / "
                          "Q dan R memerlukan sedikitnya tiga nilai yang perubahannya tidak selalu sama.")
-    centre, width = np.log10([scale, scale]), decades
-    for _ in range(rounds):
-        log_Q = np.linspace(centre[0] - width, centre[0] + width, points)
-        log_R = np.linspace(centre[1] - width, centre[1] + width, points)
-        L = log_likelihood(z, 10 ** log_Q[:, np.newaxis], 10 ** log_R[np.newaxis, :])
-        i, j = np.unravel_index(np.argmax(L), L.shape)
-        centre, width = (log_Q[i], log_R[j]), width / 8
-    return 10 ** centre[0], 10 ** centre[1]
+    first = int(np.argmax(np.isfinite(z)))
+
+    def level(Q, R):
+        return LinearModel(F=1, H=1, Q=Q, R=R, x0=z[first], P0=R)
+    found = fit(level, {"Q": scale, "R": scale}, z[first + 1:])
+    return found.values["Q"], found.values["R"]
