@@ -1,12 +1,7 @@
-"""What may come in: numbers from anywhere become float arrays, or one clear sentence says why not.
-
-Also here: the covariance that remembers its root, so that no digit of it is lost between two steps.
-"""
+"""What may come in: numbers from anywhere become float arrays, or one clear sentence says why not."""
 import datetime
 
 import numpy as np
-
-EPSILON = np.finfo(float).eps
 
 
 # --- numbers ---------------------------------------------------------------------------------------------------------
@@ -181,48 +176,3 @@ def _without_infinite(name, R, variances):
     diagonal = np.einsum("...ii->...i", R)
     diagonal[infinite] = 1
     return R
-
-
-class Covariance(np.ndarray):
-    """A covariance P = L L' that remembers its root L: handed from step to step, P loses no digits.
-
-    It is an array like any other; what is computed from it is a plain array.
-    """
-    root = None
-
-    @classmethod
-    def of(cls, P, root=None):
-        """P (n, n), read-only, with its root L; without one it is computed."""
-        covariance = np.array(P, dtype=float).view(cls)
-        covariance.root = root_of(P) if root is None else root
-        covariance.setflags(write=False)
-        return covariance
-
-    @classmethod
-    def from_root(cls, L):
-        """L L', with its root L (n, n)."""
-        P = L @ L.T
-        return cls.of((P + P.T) / 2, L)
-
-    def __array_wrap__(self, array, context=None, return_scalar=False):
-        array = np.asarray(array)
-        return array[()] if return_scalar else array
-
-    def __getitem__(self, index):
-        return np.asarray(self)[index]
-
-    def __repr__(self):
-        return repr(np.asarray(self))
-
-
-def root_of(P):
-    """L (n, n) with L L' = P, for a P that may be singular: what is rounding alone counts as 0."""
-    if isinstance(P, Covariance) and P.root is not None:
-        return P.root
-    P = np.asarray(P, dtype=float)
-    sigma = np.sqrt(np.maximum(np.diag(P), 0))
-    scale = np.where(sigma == 0, 1, sigma)
-    eigenvalues, vectors = np.linalg.eigh(P / np.outer(scale, scale))
-    rounding = 4 * len(P) * EPSILON
-    lengths = np.sqrt(np.where(eigenvalues > rounding, eigenvalues, 0))
-    return sigma[:, np.newaxis] * vectors * lengths

@@ -3,17 +3,18 @@
 One loop serves the linear and the extended filter: the model hands over F and H, constant or evaluated at the
 estimate. Source: Kalman (1960).
 
-Every covariance is kept as a product P = L L' of its root L, as in the square-root filters of Bierman (1977). So it
-stays a covariance, however small Q and R or large P0 are, and no matrix but R is ever inverted.
+Every covariance is kept as a product P = L L' of its root L (roots.py). So it stays a covariance, however small Q and R
+or large P0 are.
 """
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from numbers import Real
 from typing import NamedTuple
 
 import numpy as np
 
-from .checks import Covariance, check_covariance, numbers, root_of, series, shape_message
-from .models import LinearModel, at, steps_of, subtract
+from .checks import check_covariance, numbers, series, shape_message
+from .models import LinearModel, at, steps_of
+from .roots import Covariance, add_up, gain, innovation_covariance, one_after_another, root_of, rotated
 
 
 class Prediction(NamedTuple):
@@ -148,7 +149,8 @@ def kalman_filter(model, z, u=None, adapt_R=None, gate=None):
     z, u = _data(model, z, u)
     limit = _gate_limit(gate)
     if z.ndim == 3:
-        return _filter_runs(model, z, u, adapt_R, gate)
+        from .many import filter_runs           # here, for it stands on this file
+        return filter_runs(model, z, u, adapt_R, gate)
     x, P = model.x0, model.P0
     steps = []
     for k in range(len(z)):
@@ -203,144 +205,15 @@ def _roots_again(result):
     turns, learnt, roots = [], [], []
     for F, Q, H, R, y in zip(result.F, result.Q, result.H, result.R, result.y):
         L_pred, rotation = rotated(np.hstack([F @ L, root_of(Q)]))
-        g, A = _learnt(L_pred, y, H, R)
+        g, A = np.zeros(len(L)), np.eye(len(L))
+        for a, S, A_i, y_i in one_after_another(L_pred, y, H, R):
+            g = g + A @ a * (y_i / S)           # x = x_pred + L_pred g
+            A = A @ A_i                         # P = L_pred A A' L_pred'
         L = L_pred @ A
         turns.append(rotation[:len(L)])
         learnt.append((g, A))
         roots.append(L)
     return turns, learnt, roots
-
-
-# --- covariances as products of their roots --------------------------------------------------------------------------
-
-def add_up(*parts):
-    """The covariance A A' + B B' + ... of the parts A (n, .), B (n, .), ..."""
-    L, _ = rotated(np.hstack(parts))
-    return Covariance.from_root(L)
-
-
-def rotated(columns):
-    """L (n, n), lower triangular, and a rotation T (p, p) with C T = [L 0], so L L' = C C', for columns C (n, p).
-
-    No square is computed on the way. The reflections are Householder's (1958); each time the row with the largest
-    entry comes first, which keeps the digits of small rows (Cox and Higham, 1998), and what is exactly 0 stays 0.
-    """
-    n, p = columns.shape
-    rows = np.hstack([columns.T, np.eye(p)])
-    for j in range(n):
-        first = j + np.argmax(np.abs(rows[j:, j]))
-        rows[[j, first]] = rows[[first, j]]
-        if rows[j, j] != 0:
-            v = rows[j:, j] / rows[j, j]        # its length does not matter, and its square must not vanish
-            v[0] += np.sqrt(v @ v)
-            rows[j:] -= np.outer(v, (2 / (v @ v)) * (v @ rows[j:]))
-            rows[j + 1:, j] = 0
-    return rows[:n, :n].T, rows[:, n:].T
-
-
-def innovation_covariance(H, P_pred, R):
-    """S = H P_pred H' + R (m, m)."""
-    HL = H @ root_of(P_pred)
-    S = HL @ HL.T + R
-    return (S + S.T) / 2
-
-
-def gain(P_pred, H, R):
-    """The gain K (n, m) = P_pred H' S^-1 and the covariance P (n, n) = (I - K H) P_pred after the measurement.
-
-    The sensors come one after the other, each in units in which its noise has the variance 1 and disturbs no other
-    one. So nothing is subtracted that could become negative, and nothing but R is inverted.
-    """
-    L = root_of(P_pred)
-    W = noise_units(R)
-    K = np.zeros((len(L), len(H)))
-    for i, h in enumerate(W @ H):
-        a, S, A = one_sensor(L, h)
-        k = L @ a / S
-        K -= np.outer(k, h @ K)                 # what the sensors before have already told
-        K[:, i] += k
-        L = L @ A
-    return K @ W, Covariance.from_root(L)
-
-
-def noise_units(R):
-    """W (m, m) with W R W' = I: the sensors W z have noise of variance 1, and none disturbs another one."""
-    if R.size == 1:
-        return 1 / np.sqrt(R)
-    return np.linalg.inv(np.linalg.cholesky(R))
-
-
-def one_sensor(L, h):
-    """A sensor z = h x + v, v ~ N(0, 1), and P_pred = L L' -> a = L' h (n,), S = h P_pred h' + 1, and A (n, n).
-
-    A is triangular, and L A the root of P = P_pred - P_pred h' h P_pred / S (Carlson, 1973).
-    """
-    a = L.T @ h
-    S = 1 + np.cumsum(a * a)                    # as it grows, column by column of L
-    S_before = np.append(1.0, S[:-1])
-    A = (np.eye(len(L)) - np.triu(np.outer(a, a / S_before), 1)) * np.sqrt(S_before / S)
-    return a, S[-1], A
-
-
-def _learnt(L_pred, y, H, R):
-    """g (n,) and A (n, n) of all sensors that were heard: x = x_pred + L_pred g, and L_pred A is the root of P."""
-    n = len(L_pred)
-    g, A = np.zeros(n), np.eye(n)
-    heard = np.isfinite(y)
-    if not heard.any():
-        return g, A
-    W = noise_units(R[np.ix_(heard, heard)])
-    for h, y_i in zip(W @ H[heard], W @ y[heard]):
-        a, S, A_i = one_sensor(L_pred @ A, h)
-        g = g + A @ a * ((y_i - h @ L_pred @ g) / S)
-        A = A @ A_i
-    return g, A
-
-
-# --- many runs at once -----------------------------------------------------------------------------------------------
-
-def _filter_runs(model, z, u, adapt_R, gate):
-    """z (T, m, N): where all runs hear the same sensors, they share P, S and K, which hold no data."""
-    if not isinstance(model, LinearModel) or model.residual is not subtract or adapt_R or gate:
-        raise ValueError("z of shape (T, m, N) needs a LinearModel with the usual residual, and neither adapt_R nor "
-                         "gate; filter run by run. / z berukuran (T, m, N) memerlukan LinearModel dengan residu "
-                         "biasa, tanpa adapt_R dan gate; filterlah satu per satu.")
-    silent = np.isnan(z)
-    if (silent != silent[:, :, :1]).any():
-        return _stacked([kalman_filter(model, z[:, :, run], u) for run in range(z.shape[2])])
-    shared = kalman_filter(model, np.where(silent[:, :, 0], np.nan, 0.0), u)
-    x_pred, x = (np.empty((len(z), len(model.x0), z.shape[2])) for _ in range(2))
-    y = np.empty(z.shape)
-    x_k = np.repeat(model.x0[:, np.newaxis], z.shape[2], axis=1)
-    for k in range(len(z)):
-        Bu = 0 if u is None else at(model.B, k) @ u[k]
-        x_pred[k] = shared.F[k] @ x_k + np.reshape(Bu, (-1, 1))
-        y[k] = z[k] - shared.H[k] @ x_pred[k]
-        x_k = x_pred[k] + shared.K[k] @ np.nan_to_num(y[k])
-        x[k] = x_k
-    return replace(shared, x_pred=x_pred, x=x, y=y, gated=np.zeros(z.shape, dtype=bool))
-
-
-def smooth_runs(result):
-    """rts_smooth of many runs, run by run: x (T, n, N) and P (T, n, n), or (T, n, n, N) where runs do not share it."""
-    shared = result.P.ndim == 3
-    each = []
-    for run in range(result.x.shape[2]):
-        def of_run(name, shape):
-            array = getattr(result, name)
-            return array[..., run] if array.ndim > shape else array
-        one = {name: of_run(name, 2) for name in ("x_pred", "x", "y", "gated")}
-        one |= {name: of_run(name, 3) for name in ("P_pred", "P", "S", "K", "F", "R", "H", "Q")}
-        each.append(rts_smooth(FilterResult(**one, start=result.start)))
-    P = each[0].P if shared else np.stack([smooth.P for smooth in each], axis=-1)
-    return SmootherResult(np.stack([smooth.x for smooth in each], axis=-1), P)
-
-
-def _stacked(results):
-    """Runs that differ in everything but the model: their arrays side by side, the runs last."""
-    common = {name: getattr(results[0], name) for name in ("F", "R", "H", "Q", "start")}
-    names = [field.name for field in fields(FilterResult) if field.name not in common]
-    return FilterResult(**common, **{name: np.stack([getattr(r, name) for r in results], axis=-1) for name in names})
 
 
 # --- checks ----------------------------------------------------------------------------------------------------------

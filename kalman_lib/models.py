@@ -14,15 +14,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .checks import (
-    Covariance,
-    check_covariance,
-    check_finite,
-    check_shape,
-    matrix,
-    numbers,
-    shape_message,
-)
+from .checks import check_covariance, check_finite, check_shape, matrix, numbers, shape_message
+from .roots import Covariance
 
 
 def subtract(z, z_pred):

@@ -15,6 +15,7 @@ from .fast import kalman_filter
 from .filters import update
 from .models import LinearModel, subtract
 from .numeric import check_start, differences, maximise, settle
+from .roots import one_after_another, root_of
 
 
 # --- how likely are the measurements? -----------------------------------------------------------
@@ -31,6 +32,8 @@ def log_likelihood(result):
     """
     y, S = np.asarray(result.y), np.asarray(result.S)
     many = y.ndim == 3
+    if not many and result.H is not None and _almost_singular(S):
+        return _sensor_by_sensor(result)
     y = np.moveaxis(y, 2, 1) if many else y[:, np.newaxis]                   # (T, runs, m)
     S = np.moveaxis(S, 3, 1) if S.ndim == 4 else S[:, np.newaxis]
     variance = np.diagonal(S, axis1=2, axis2=3)
@@ -48,6 +51,26 @@ def log_likelihood(result):
         total = -np.sum(seen * np.log(2 * np.pi) + log_S + white ** 2, axis=(0, 2)) / 2
     total = np.where(np.isnan(total), -np.inf, total)
     return total if many else float(total[0])
+
+
+def _almost_singular(S):
+    """Are there sensors that say nearly the same, so that S (T, m, m) has lost the digits that tell them apart?"""
+    variance = np.diagonal(S, axis1=1, axis2=2)
+    if S.shape[1] == 1 or not np.isfinite(variance).all():
+        return False
+    sigma = np.sqrt(variance)
+    return np.linalg.eigvalsh(S / sigma[:, :, np.newaxis] / sigma[:, np.newaxis]).min() < 1e-5
+
+
+def _sensor_by_sensor(result):
+    """The same by the roots of P_pred: one sensor after the other, and no S of several."""
+    total = 0.0
+    for P_pred, y, H, R in zip(result.P_pred, result.y, result.H, result.R):
+        heard = np.isfinite(y)
+        total -= np.linalg.slogdet(2 * np.pi * R[np.ix_(heard, heard)])[1] / 2
+        for _, S, _, y_i in one_after_another(root_of(P_pred), y, H, R):
+            total -= (np.log(S) + y_i ** 2 / S) / 2
+    return float(total)
 
 
 def _cholesky(C):

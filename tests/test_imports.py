@@ -12,12 +12,14 @@ LIBRARY = Path(__file__).resolve().parent.parent / "kalman_lib"
 NUMERICS = {"numpy"}
 ALLOWED = {     # file -> what of our own it may import, and which packages; the standard library is free
     "checks.py": (set(), NUMERICS),
-    "models.py": ({"checks"}, NUMERICS),
+    "roots.py": (set(), NUMERICS),
+    "models.py": ({"checks", "roots"}, NUMERICS),
     "metrics.py": ({"checks"}, NUMERICS | {"scipy"}),
     "simulate.py": ({"checks", "models"}, NUMERICS),
-    "filters.py": ({"checks", "models"}, NUMERICS | {"scipy"}),
+    "filters.py": ({"checks", "models", "roots", "many"}, NUMERICS | {"scipy"}),
+    "many.py": ({"models", "filters"}, NUMERICS),
     "numeric.py": (set(), NUMERICS | {"scipy"}),
-    "tuning.py": ({"checks", "models", "filters", "fast", "numeric"}, NUMERICS | {"scipy"}),
+    "tuning.py": ({"checks", "models", "roots", "filters", "fast", "numeric"}, NUMERICS | {"scipy"}),
     "montecarlo.py": ({"models", "fast"}, NUMERICS | {"tqdm"}),         # tqdm: only if it is there
     "__init__.py": ({"models", "metrics", "simulate", "filters", "fast", "tuning", "montecarlo"}, set()),
     "spreadsheet.py": (set(), NUMERICS | {"openpyxl"}),
@@ -28,7 +30,7 @@ ALLOWED = {     # file -> what of our own it may import, and which packages; the
                    NUMERICS | {"ipywidgets", "IPython"}),
 }
 PAPER = ({"checks", "models", "simulate", "numeric", "tuning", "papers"}, NUMERICS)    # "papers": the package alone
-FAST = ({"checks", "models", "filters", "fast"}, NUMERICS)
+FAST = ({"checks", "models", "roots", "filters", "many", "fast"}, NUMERICS)
 
 
 def imports(path):

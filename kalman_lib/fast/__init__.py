@@ -15,7 +15,7 @@ import functools
 
 import numpy as np
 
-from .. import filters
+from .. import filters, many
 from ..checks import check_series, series, shaped_series
 from ..models import LinearModel, NonlinearModel, steps_of, subtract
 from . import extended, runs, smoothing, states
@@ -27,7 +27,10 @@ SHORT = 50              # steps: the loop itself is quick enough
 @functools.wraps(filters.kalman_filter)
 def kalman_filter(model, z, u=None, adapt_R=None, gate=None):
     if adapt_R is None and gate is None:
-        quick = _quick(model, z, u)
+        try:
+            quick = _quick(model, z, u)
+        except np.linalg.LinAlgError:           # rounding has made a matrix singular that is not
+            quick = None
         if quick is not None:
             return quick
     return filters.kalman_filter(model, z, u, adapt_R, gate)
@@ -64,7 +67,7 @@ def _plain(model, u):
 
 @functools.wraps(filters.rts_smooth)
 def rts_smooth(result):
-    quick = smoothing.smooth(result) if result.x.ndim == 2 else None
+    quick = _quick_smooth(result) if result.x.ndim == 2 else None
     return filters.rts_smooth(result) if quick is None else quick
 
 
@@ -76,5 +79,13 @@ def smooth_runs(result):
     if result.x.ndim != 3:
         raise ValueError("smooth_runs takes the result of kalman_filter for many runs, x of shape (T, n, N). / "
                          "smooth_runs menerima hasil kalman_filter untuk banyak percobaan, x berukuran (T, n, N).")
-    quick = smoothing.smooth(result)
-    return filters.smooth_runs(result) if quick is None else quick
+    quick = _quick_smooth(result)
+    return many.smooth_runs(result) if quick is None else quick
+
+
+def _quick_smooth(result):
+    """The SmootherResult of a fast form, or None."""
+    try:
+        return smoothing.smooth(result)
+    except np.linalg.LinAlgError:
+        return None

@@ -8,7 +8,8 @@ from itertools import repeat
 
 import numpy as np
 
-from ..checks import root_of, shape_message
+from ..checks import shape_message
+from ..roots import root_of
 from . import entries
 from .lazy import LazyFilterResult
 

@@ -4,8 +4,8 @@ from dataclasses import fields
 
 import numpy as np
 
-from ..checks import root_of
 from ..filters import FilterResult, SmootherResult
+from ..roots import root_of
 
 
 def _lazy(Result):
