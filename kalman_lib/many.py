@@ -26,7 +26,7 @@ def filter_runs(model, z, u, adapt_R, gate):
     for k in range(len(z)):
         Bu = 0 if u is None else at(model.B, k) @ u[k]
         x_pred[k] = shared.F[k] @ x_k + np.reshape(Bu, (-1, 1))
-        y[k] = z[k] - shared.H[k] @ x_pred[k]
+        y[k] = z[k] - shared.H[k] @ x_pred[k] + shared.y[k][:, np.newaxis] * 0     # NaN where a sensor is silent
         x_k = x_pred[k] + shared.K[k] @ np.nan_to_num(y[k])
         x[k] = x_k
     return replace(shared, x_pred=x_pred, x=x, y=y, gated=np.zeros(z.shape, dtype=bool))
@@ -39,7 +39,7 @@ def smooth_runs(result):
     for run in range(result.x.shape[2]):
         def of_run(name, shape):
             array = getattr(result, name)
-            return array[..., run] if array.ndim > shape else array
+            return array if array is None or array.ndim <= shape else array[..., run]
         one = {name: of_run(name, 2) for name in ("x_pred", "x", "y", "gated")}
         one |= {name: of_run(name, 3) for name in ("P_pred", "P", "S", "K", "F", "R", "H", "Q")}
         each.append(rts_smooth(FilterResult(**one, start=result.start)))

@@ -85,11 +85,13 @@ def _squares(name, e, P):
 
 def _solved(name, e, P):
     """e' P^-1 e for complete rows e (T, n, N); each component in units of its standard deviation."""
-    sigma = np.sqrt(np.einsum("kii->ki", P))[:, :, np.newaxis]
+    variance = np.einsum("kii->ki", P)[:, :, np.newaxis]
+    sigma = np.sqrt(np.where(variance > 0, variance, 1))
+    scaled = e / sigma
     try:
-        with np.errstate(divide="ignore", invalid="ignore"):
-            scaled = e / sigma
-            solved = np.linalg.solve(P / sigma / sigma.swapaxes(1, 2), scaled)
+        solved = np.linalg.solve(P / sigma / sigma.swapaxes(1, 2), scaled)
+        if (variance == 0).any():
+            raise np.linalg.LinAlgError
     except np.linalg.LinAlgError:
         raise ValueError(f"{name} cannot be inverted: a component is known exactly, or two are copies. / "
                          f"{name} tidak dapat dibalik: satu komponen diketahui persis, atau dua sama persis.") from None
