@@ -14,6 +14,8 @@ import numpy as np
 
 from . import entries
 
+LONG = 2000             # steps from which on it is worth it
+
 
 def filter_blocks(s):
     """x (T, n) and P (T, n, n) of a series with one sensor, or None: not exact, or more sensors."""

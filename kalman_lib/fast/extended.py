@@ -3,7 +3,6 @@
 Serves the row "beetle EKF" of the bench, and the studies of chapter 5. All arrays have the axis of the runs as their
 last one: P (T, n, n, N) and so on.
 """
-import functools
 from itertools import repeat
 
 import numpy as np
@@ -20,30 +19,34 @@ def filter_runs(model, z, u):
     n = len(model.x0)
     Q = [[q or None for q in row] for row in np.asarray(model.Q).tolist()]
     u = list(repeat(None, T)) if u is None else u
-    x, P = np.empty((T, n, runs)), []
-    x_k, P_k = np.repeat(model.x0[:, np.newaxis], runs, axis=1), np.asarray(model.P0).tolist()
+    x = np.empty((T, n, runs))
+    steps = []
+    x_k, P = np.repeat(model.x0[:, np.newaxis], runs, axis=1), np.asarray(model.P0).tolist()
     for k in range(T):
         x_pred, F = _transition(model, x_k, u[k])
-        P_k = entries.predict(P_k, entries.sparse(F), Q)
+        P_pred = entries.predict(P, entries.sparse(F), Q)
         h, H = _measure(model, x_pred, u[k])
-        y = model.residual(z[k], h)[0]
-        heard = np.isfinite(y)
-        if heard.all():
-            heard = None
-        P_k, K, _ = entries.update(P_k, entries.sparse(H)[0], float(model.R[0, 0]), heard)
+        y = model.residual(z[k], h)
+        heard = None if np.isfinite(y).all() else np.isfinite(y[0])
+        P, K, S = entries.update(P_pred, entries.sparse(H)[0], float(model.R[0, 0]), heard)
+        known = y[0] if heard is None else np.nan_to_num(y[0])
         x_k = x[k]
         for i, K_i in enumerate(K):
-            np.add(x_pred[i], K_i * (y if heard is None else np.nan_to_num(y)), out=x_k[i])
-        P.append(P_k)
+            np.add(x_pred[i], K_i * known, out=x_k[i])
+        steps.append(([[row] for row in x_pred], P_pred, P, [y], [[S]], [[K_i] for K_i in K], F, H))
     if not np.isfinite(x[-1]).all():
         return None
-    later = functools.cache(functools.partial(_everything, model, z, u, x, P))
-    names = ("x_pred", "P_pred", "y", "S", "K", "F", "H")
-    fixed = {"Q": np.broadcast_to(model.Q, (T, n, n)), "R": np.broadcast_to(model.R, (T, 1, 1))}
-    return LazyFilterResult(
-        x=x, P=lambda: np.array([_dense(P_k, runs) for P_k in P]), start=root_of(model.P0),
-        gated=lambda: np.zeros(z.shape, dtype=bool), **fixed,
-        **{name: lambda i=i: later()[i] for i, name in enumerate(names)})
+
+    def stacked(i, flat=False):
+        """Entry i of every step as an array (T, rows, columns, N)."""
+        whole = np.array([[[np.broadcast_to(entry, runs) for entry in row] for row in step[i]] for step in steps])
+        return whole[:, :, 0] if flat else whole
+
+    names = ("x_pred", "P_pred", "P", "y", "S", "K", "F", "H")
+    later = {name: lambda i=i, name=name: stacked(i, name in ("x_pred", "y")) for i, name in enumerate(names)}
+    return LazyFilterResult.of(
+        later, x=x, start=root_of(model.P0), gated=np.broadcast_to(False, z.shape),
+        Q=np.broadcast_to(model.Q, (T, n, n)), R=np.broadcast_to(model.R, (T, 1, 1)))
 
 
 def _transition(model, x, u):
@@ -72,28 +75,3 @@ def _rows(name, M, shape, runs):
             if np.shape(entry) not in ((), (runs,)):
                 raise ValueError(shape_message(f"{name}[...]", np.shape(entry), (runs,)))
     return M
-
-
-def _dense(M, runs):
-    """Rows of entries, numbers or (N,), as an array (rows, columns, N)."""
-    return np.array([[np.broadcast_to(entry, runs) for entry in row] for row in M], dtype=float)
-
-
-def _everything(model, z, u, x, P):
-    """What is rarely read is computed again rather than kept: x_pred, P_pred, y, S, K, F, H of all steps."""
-    n, runs = x.shape[1:]
-    Q = [[q or None for q in row] for row in np.asarray(model.Q).tolist()]
-    x_k, P_k = np.repeat(model.x0[:, np.newaxis], runs, axis=1), np.asarray(model.P0).tolist()
-    columns = []
-    for k in range(len(z)):
-        x_pred, F = _transition(model, x_k, u[k])
-        P_pred = entries.predict(P_k, entries.sparse(F), Q)
-        h, H = _measure(model, x_pred, u[k])
-        y = model.residual(z[k], h)
-        heard = np.isfinite(y[0])
-        _, K, S = entries.update(P_pred, entries.sparse(H)[0], float(model.R[0, 0]), heard)
-        S = np.broadcast_to(S, (1, 1, runs))
-        columns.append((x_pred, _dense(P_pred, runs), y, S, _dense([[K_i] for K_i in K], runs), _dense(F, runs),
-                        _dense(H, runs)))
-        x_k, P_k = x[k], P[k]
-    return [np.array(column) for column in zip(*columns)]

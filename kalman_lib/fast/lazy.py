@@ -8,32 +8,36 @@ from ..filters import FilterResult, SmootherResult
 from ..roots import root_of
 
 
-def _lazy(Result):
-    """A subclass of the dataclass whose fields may be functions: such a field is computed when it is first read."""
-    def reader(name):
-        def read(self):
-            value = self.__dict__[name]
-            if callable(value):
-                value = value()
-            if value is not None and value.flags.writeable:
-                value = value.view()
-                value.setflags(write=False)
-            self.__dict__[name] = value
-            return value
-        return property(read)
-
-    def __init__(self, **values):
-        self.__dict__.update(values)
-
-    def __reduce__(self):                       # pickled, copied: with all fields, as the plain dataclass
-        return Result, tuple(getattr(self, field.name) for field in fields(Result))
-
-    names = {field.name: reader(field.name) for field in fields(Result)}
-    members = {"__init__": __init__, "__reduce__": __reduce__, "__doc__": Result.__doc__}
-    return type("Lazy" + Result.__name__, (Result,), members | names)
+def _compute(self, name):
+    """Called for a field that is not there yet."""
+    make = self.__dict__.get("later", {}).get(name)
+    if make is None:
+        raise AttributeError(name)
+    value = make()
+    value.setflags(write=False)
+    self.__dict__[name] = value
+    return value
 
 
-LazyFilterResult, LazySmootherResult = _lazy(FilterResult), _lazy(SmootherResult)
+def _reduce(self):
+    """Pickled and copied: with all fields, as the plain dataclass."""
+    Result = type(self).__base__
+    return Result, tuple(getattr(self, field.name) for field in fields(Result))
+
+
+def _of(cls, later, **known):
+    """The result of what is known, and of functions for what can be computed later: name -> function."""
+    result = cls.__new__(cls)
+    result.__dict__.update(known, later=later)
+    for array in known.values():
+        if isinstance(array, np.ndarray):
+            array.setflags(write=False)
+    return result
+
+
+MEMBERS = {"__getattr__": _compute, "__reduce__": _reduce, "of": classmethod(_of)}
+LazyFilterResult = type("LazyFilterResult", (FilterResult,), MEMBERS)
+LazySmootherResult = type("LazySmootherResult", (SmootherResult,), MEMBERS)
 
 
 def repeat_last(a, T):
@@ -88,12 +92,11 @@ def result_of(gains, x):
     def whole(name):
         return lambda: repeat_last(getattr(gains, name), T)
 
+    later = {name: whole(name) for name in ("P", "P_pred", "S", "K")}
+    later |= {"x_pred": lambda: predictions(s, x), "y": innovations}
     fixed = {name: np.broadcast_to(M, (T, *M.shape[-2:])) for name, M in zip("FHQR", (s.F, s.H, s.Q, s.R))}
-    result = LazyFilterResult(
-        x=x, x_pred=lambda: predictions(s, x), y=innovations, P=whole("P"), P_pred=whole("P_pred"), S=whole("S"),
-        K=whole("K"), start=root_of(s.P0), gated=lambda: np.zeros(s.z.shape, dtype=bool), **fixed)
-    result.__dict__["gains"] = gains
-    return result
+    gated = np.broadcast_to(False, s.z.shape)
+    return LazyFilterResult.of(later, x=x, gains=gains, gated=gated, start=root_of(s.P0), **fixed)
 
 
 def predictions(s, x):

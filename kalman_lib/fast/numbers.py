@@ -7,7 +7,7 @@ from itertools import repeat
 import numpy as np
 
 from .entries import floats
-from .scan import LONG
+from .scan import LONG, STEADY
 
 
 def filter_number(s):
@@ -27,6 +27,6 @@ def filter_number(s):
             P *= R_k / S                        # (1 - K H) P, without a difference that cancels
         states.append(x)
         variances.append(P)
-        if may_end and P == before:             # P depends on the P before it only: from here on it stays
-            break
+        if may_end and P == before and abs(F * (1 - P * H * H / R_k)) <= STEADY:
+            break                               # P depends on the P before it only: from here on it stays
     return np.array(states)[:, np.newaxis], np.array(variances)[:, np.newaxis, np.newaxis]

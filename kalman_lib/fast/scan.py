@@ -5,7 +5,7 @@ import numpy as np
 
 from . import entries
 
-LONG = 2000             # steps from which on it is worth it
+LONG = 500              # steps from which on it is worth it
 STEADY = 0.995          # a filter that keeps more than this of an error from step to step loses digits here
 
 

@@ -22,7 +22,7 @@ def smooth(result):
     x = (_smooth_runs if result.x.ndim == 3 else _smooth_one)(gains.s, result.x, G)
     if not (np.abs(G).max(axis=0) @ _largest(result.x) <= FAR * _largest(x)).all():
         return None                             # large numbers whose differences are small
-    return LazySmootherResult(x=x, P=lambda: _smooth_P(gains, G, T))
+    return LazySmootherResult.of({"P": lambda: _smooth_P(gains, G, T)}, x=x)
 
 
 def _largest(x):

@@ -13,7 +13,6 @@ from .lazy import Gains, repeat_last, result_of
 from .numbers import filter_number
 from .scan import LONG, STEADY, radius, scan
 
-SLOW = 1e-3             # a filter that forgets less than this in a step seems to settle before it has
 HEAD = 64               # steps that the loop may take over where a vague start costs digits
 
 
@@ -51,7 +50,7 @@ def filter_part(s):
         return filter_number(s)
     if not is_diagonal(s.R):
         return None
-    if s.varies and len(s.z) >= LONG:
+    if s.varies and len(s.z) >= blocks.LONG:
         found = with_head(s, blocks.filter_blocks)
         if found is not None:
             return found
@@ -98,6 +97,7 @@ def filter_states(s):
     rows_R = repeat(R.tolist()) if R.ndim == 1 else entries.floats(R)
     rows_drive = repeat(None) if s.drive is None else entries.floats(s.drive)
     states, covariances = [], []
+    may_end = not s.varies and len(s.z) >= LONG
     for z_k, R_k, drive_k in zip(entries.floats(s.z), rows_R, rows_drive):
         before = P
         x = [entries.dot(row, x) for row in F]
@@ -106,7 +106,7 @@ def filter_states(s):
         x, P = one_step(x, entries.predict(P, F, Q), z_k, H, R_k)
         states.append(x)
         covariances.append(P)
-        if not s.varies and len(states) % 8 == 0 and has_settled(s, P, before):
+        if may_end and len(states) % 8 == 0 and has_settled(s, P, before):
             break
     return np.array(states), np.array(covariances)
 
@@ -136,8 +136,8 @@ def has_settled(s, P, before):
     change, limit = np.abs(P - before), 1e-13 * np.outer(sigma, sigma)
     if (change > limit).any():
         return False
-    left = 1 - radius(s.F - gain_after(s, P) @ s.H @ s.F) ** 2
-    return left > SLOW and bool((change <= limit * left).all())
+    rho = radius(s.F - gain_after(s, P) @ s.H @ s.F)
+    return rho <= STEADY and bool((change <= limit * (1 - rho ** 2)).all())
 
 
 def gain_after(s, P):
@@ -152,28 +152,11 @@ def settled(s, head, P):
     if k == T:
         return head
     K = gain_after(s, P[-1])
+    I_KH = np.eye(len(s.x0)) - K @ s.H
     x = np.empty((T, len(s.x0)))
     x[:k] = head
-    I_KH = np.eye(len(s.x0)) - K @ s.H
-    if T - k >= LONG and radius(I_KH @ s.F) <= STEADY:
-        x[k:] = s.z[k:] @ K.T
-        if s.drive is not None:
-            x[k:] += s.drive[k:] @ I_KH.T
-        scan(I_KH @ s.F, x[k:], head[-1])
-    else:
-        one_by_one(s, K, x, k)
+    x[k:] = s.z[k:] @ K.T
+    if s.drive is not None:
+        x[k:] += s.drive[k:] @ I_KH.T
+    scan(I_KH @ s.F, x[k:], head[-1])
     return x
-
-
-def one_by_one(s, K, x, k):
-    """x (T, n) from step k on with the gain K, in the order of the loop's operations."""
-    F, H, K = (entries.sparse(M.tolist()) for M in (s.F, s.H, K))
-    drive = repeat(None) if s.drive is None else entries.floats(s.drive[k:])
-    x_k = x[k - 1].tolist()
-    for i, z_k, drive_k in zip(range(k, len(x)), entries.floats(s.z[k:]), drive):
-        x_k = [entries.dot(row, x_k) for row in F]
-        if drive_k is not None:
-            x_k = [x_i + drive_i for x_i, drive_i in zip(x_k, drive_k)]
-        y = [z_i - entries.dot(h, x_k) for z_i, h in zip(z_k, H)]
-        x_k = [x_i + entries.dot(row, y) for x_i, row in zip(x_k, K)]
-        x[i] = x_k
