@@ -1,102 +1,21 @@
-"""Chapter 2 in the page: what is pasted is read as Python reads it, what is downloaded computes, nothing is interpreted."""
+"""Chapter 2 in the page: the form, what is downloaded from it, and one measurement at a time."""
 import base64
 import csv
-import json
-import random
 import re
 
 import numpy as np
 import pytest
 import test_spreadsheet
+from explorer_helpers import as_in_python, javascript, picture, shown
 from openpyxl import load_workbook
-from test_explorers import bundle, opened, picture, shown  # noqa: F401  (fixtures)
 
 from kalman_lib import LinearModel, kalman_filter, rts_smooth
 from kalman_lib.papers import smoother
-from kalman_lib.spreadsheet import InputError, read_file, read_text
+from kalman_lib.spreadsheet import read_text, write_workbook
 
 nan = np.nan
 
-
-def cases(test):
-    """The arguments of a parametrized test."""
-    return next(mark.args[1] for mark in test.pytestmark if mark.name == "parametrize")
-
-
-def javascript(page, call, *arguments):
-    """The answer of a function of the page's script; a mistake of the reader's as {"error": [id, en]}."""
-    return json.loads(page.evaluate("""([call, args]) => {
-      const { spreadsheet, words, papers, xlsx } = KalmanExplorers, bytes = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
-      const plain = value => value instanceof Map ? [...value].map(([name, column]) => [name, Array.from(column)]) : ArrayBuffer.isView(value) ? Array.from(value) : value;
-      const answers = args.map(given => {
-        try {
-          return eval(call)(given, { ...spreadsheet, ...words, ...xlsx, ...papers.smoother, bytes });
-        } catch (error) {
-          if (!(error instanceof words.InputError)) throw error;
-          return { error: [error.id, error.en] };
-        }
-      });
-      return JSON.stringify(answers, (_, value) => typeof value === "number" && Number.isNaN(value) ? "nan" : plain(value));
-    }""", [call, list(arguments)]), parse_constant=float)
-
-
-def as_in_python(read, *arguments):
-    try:
-        table = read(*arguments)
-    except InputError as error:
-        return {"error": [error.id, error.en]}
-    return {"columns": [[name, ["nan" if np.isnan(v) else v for v in values.tolist()]] for name, values in table.columns.items()],
-            "lines": table.lines.tolist(), "skipped": list(table.skipped), "decimal": table.decimal, "note": {"en": table.note_en, "id": table.note_id}}
-
-
-# --- reading --------------------------------------------------------------------------------------------------------
-
-KNOWN = [case[0] for test in (test_spreadsheet.test_text_is_read, test_spreadsheet.test_the_decimal_sign_can_be_chosen,
-                              test_spreadsheet.test_the_note_says_what_was_chosen,
-                              test_spreadsheet.test_what_cannot_be_read_is_named_in_both_languages) for case in cases(test)]
-OURS = ["\nTanggal,jam,Laju\n2024-01-01,10:00,1.5\n\n2024-01-02,10:01,NA\n2024-01-03,10:02,2.5\n\n", "2024-01-01;NA\n2024-01-02;1,5",
-        '"a""b";c\n"1";"2"\n', '"a\nb"\n1\n2\n', '"1" ;2\n', '1,"2"x\n3,4', 'a"b;c\n1;2', ' "1";2', '1, "2"\n3, "4"', "<script>alert(1)</script>\n1\n", "1\n<img src=x>\n",
-        "=cmd|' /C calc'!A0\n1\n2", "1\n=cmd|' /C calc'!A0", "1\nit's \"so\"\\\n", "1\n\u200b2\n", "1\n\x1b\t2", "z\n1\x85\n\u30002\n", "\ufeff1\n2", "1\r2\r\n3\n", "1\n\n\n2", "1e308\n2", "NaN\nNaN",
-        "1;2\n\n3;4\n", "x²\n1\n2", "²\n1", "____\n1", "1\n" + "\U0001f600" * 50, "a;b\n1;1.000,5", "suhu ruang ; laju\n1;2", "0,5;0.5", "1\t\t\n2\t\t", "9" * 400, "a b c\n1 2 3", "1.5 2\n3", "-\n1", "+\n1", ".\n1",
-        "1,\n2,\n", "1 000\n2 000", "1.000.000\n2", "1.000.00\n2", "a,b\n\"1,5\",2", "1 \"2\"\n", "a\n" + "b" * 131073, "\n", " ", "", ";", ",", "\t", '"', '""', '"",1\n"",2']
-
-
-def random_texts(count):
-    rng = random.Random(2)
-    pieces = ["1", "2", "12", "345", "000", ".", ",", ",", ";", "\t", " ", "  ", "\n", "\n", "\n", "\r\n", "-", "\u2212", "e5", "NA", "x", "Suhu", '"', '""', "inf", "+", "=1", "'", "\\", "/"]
-    for _ in range(count):
-        yield "".join(rng.choices(pieces, k=rng.randint(1, 25)))
-    for _ in range(count):          # whole tables
-        separator, cells = rng.choice(["\t", ";", ",", " ", ", "]), ["1,5", "2.5", "1.234", "1,234", "3", "NA", "", "1.234,5", "-4", "word", "1e3", '"1,5"']
-        width, few = rng.randint(1, 3), rng.sample(cells, rng.randint(1, 4))
-        yield rng.choice(["", "a\n", separator.join(["t", "v", "w"][:width]) + "\n"]) + "\n".join(separator.join(rng.choices(few, k=width)) for _ in range(rng.randint(1, 6)))
-
-
-@pytest.mark.parametrize("decimal", [None, ",", "."])
-def test_a_text_is_read_as_python_reads_it(decimal, bundle):
-    texts = [*(text for text in KNOWN if len(text) < 1e5), *OURS, *random_texts(1500)]
-    results = javascript(bundle, f"(text, _) => _.readText(text, {json.dumps(decimal)})", *texts)
-    wrong = [(text, js, py) for text, js in zip(texts, results) if js != (py := as_in_python(read_text, text, decimal))]
-    assert wrong[:3] == []
-    assert sum("error" in result for result in results) > 300 and sum("columns" in result for result in results) > 300
-
-
-def test_long_texts_are_read_or_refused_as_in_python(bundle):
-    for text in ("v\n" + "1,5\n" * 200_000, "1\n" * 200_001, "1\n" * 200_003):
-        assert javascript(bundle, "(text, _) => _.readText(text)", text) == [as_in_python(read_text, text)]
-
-
-def test_files_are_read_as_in_python(bundle):
-    text, read = "Suhu °C;n\r\n0,39;1\r\n–0,49;2\r\n", "([name, content], _) => _.readFile(name, _.bytes(content))"
-    files = [("Data.CSV", text.encode(encoding)) for encoding in cases(test_spreadsheet.test_every_encoding_of_a_text_file_is_read)] + [("a.tsv", b"1\t2\n"), ("b.txt", b"1\nx")]
-    refused = [case for case in cases(test_spreadsheet.test_another_kind_of_file_is_refused)] + [("a.xlsx", test_spreadsheet.xlsx([[1], [2]])), ("<b>.exe", b"MZ\0\0"), ("csv", b"1")]
-    send = lambda files: [[name, base64.b64encode(content).decode()] for name, content in files]  # noqa: E731
-    assert javascript(bundle, read, *send(files)) == [as_in_python(read_file, *file) for file in files]
-    for (name, _), answer in zip(refused, javascript(bundle, read, *send(refused))):
-        assert repr(name) in answer["error"][0] and "CSV" in answer["error"][0] and "bukan berkas teks" in answer["error"][0] and "save it as CSV" in answer["error"][1]
-
-
-# --- the same numbers, beyond what test_explorers.py compares ----------------------------------------------------------
+# --- the same numbers, beyond what test_explorer_parity.py compares -------------------------------------------------
 
 def test_lag_likelihood_and_smoother_as_in_python(bundle):
     rng = np.random.default_rng(3)
@@ -108,8 +27,8 @@ def test_lag_likelihood_and_smoother_as_in_python(bundle):
         result = kalman_filter(smoother.model(p), z)
         answer, = javascript(bundle, """([z, truth, name], _) => {
           z = Float64Array.from(z, v => v ?? NaN); truth = Float64Array.from(truth);
-          const p = { Q: 0.01, R: 0.1, x0: z[0], P0: 1 }, r = _.run(p, { z }), s = _.smoothed(r, p.Q), pair = _.maximumLikelihood(z), look = _.LOOK_ALIKES[name];
-          return [_.lag(r.x, truth), _.lag(r.x, s.x), pair[0], pair[1], s.x, s.P, truth.map((_, k) => look.truth(k)), _.steadyGain(0.1)];
+          const p = { Q: 0.01, R: 0.1, x0: z[0], P0: 1 }, r = _.run(p, { z }), s = _.smoothed(r, p.Q), pair = _.maximum_likelihood(z), look = _.LOOK_ALIKES[name];
+          return [_.lag(r.x, truth), _.lag(r.x, s.x), pair[0], pair[1], s.x, s.P, truth.map((_, k) => look.truth(k)), _.steady_gain(0.1)];
         }""", [[None if v != v else v for v in z.tolist()], truth.tolist(), make.__name__])
         Q, R = smoother.maximum_likelihood(z)
         assert answer[:2] == pytest.approx([smoother.lag(x, truth), smoother.lag(x, smooth)], rel=1e-9)
@@ -118,14 +37,13 @@ def test_lag_likelihood_and_smoother_as_in_python(bundle):
         np.testing.assert_allclose(answer[5], rts_smooth(result).P[:, 0, 0], rtol=1e-9)
         np.testing.assert_allclose(answer[6], truth, rtol=1e-12, atol=1e-12)
         assert answer[7] == pytest.approx(smoother.steady_gain(0.1), rel=1e-14)
-    refused = javascript(bundle, "(z, _) => _.maximumLikelihood(Float64Array.from(z))", [1, 2], [1, 2, 3], [5, 5, 5])
+    refused = javascript(bundle, "(z, _) => _.maximum_likelihood(Float64Array.from(z))", [1, 2], [1, 2, 3], [5, 5, 5])
     assert all("at least three values" in answer["error"][1] and "sedikitnya tiga nilai" in answer["error"][0] for answer in refused)
-
 
 # --- the page ---------------------------------------------------------------------------------------------------------
 
 @pytest.fixture(params=["id", "en"])
-def form(request, opened, site):  # noqa: F811
+def form(request, opened, site):
     page, trouble = opened(site / request.param / "notebooks" / "02_smoother.html")
     element = page.locator("kalman-explorer").first
     yield page, element, request.param
@@ -253,7 +171,7 @@ WORKBOOKS = {name: case for name, case in test_spreadsheet.CASES.items() if name
 
 
 @pytest.fixture(scope="module")
-def workbooks(bundle, tmp_path_factory):  # noqa: F811
+def workbooks(bundle, tmp_path_factory):
     """{name: (what the page wrote, what LibreOffice made of it)}: the cases of test_spreadsheet.py, and names like formulas."""
     folder = tmp_path_factory.mktemp("from-the-page")
     (folder / "out").mkdir()
@@ -293,7 +211,6 @@ def test_the_workbook_of_the_page_computes_what_the_library_computes(name, workb
 
 
 def test_its_formulas_are_live_and_those_of_python(workbooks, tmp_path):
-    from kalman_lib.spreadsheet import write_workbook
     path = workbooks["gaps"][0]
     write_workbook(tmp_path / "python.xlsx", *WORKBOOKS["gaps"])
     ours, theirs = load_workbook(path), load_workbook(tmp_path / "python.xlsx")
