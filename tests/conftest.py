@@ -73,21 +73,45 @@ def server(site):
         httpd.shutdown()
 
 
+def listen(page):
+    """A list that takes up whatever goes wrong on a page from now on."""
+    trouble = []
+
+    def hear(message):
+        if message.type == "error":
+            trouble.append(message.text)
+
+    def refuse(dialog):
+        trouble.append(dialog.message)
+        dialog.dismiss()
+
+    page.on("console", hear)
+    page.on("pageerror", lambda error: trouble.append(f"{error}\n{error.stack}"))
+    page.on("dialog", refuse)
+    return trouble
+
+
 @pytest.fixture(scope="module")
 def opened(site, server, chromium):
-    """A page of the book -> a browser page that is ready, and what went wrong on it. Kept open for all tests of a file."""
+    """A page of the book -> a browser page that is ready, and what went wrong on it.
+
+    Kept open for all tests of a file.
+    """
     kept, contexts = {}, []
+    usual = {
+        "viewport": {"width": 390, "height": 844},
+        "reduced_motion": "reduce",
+        "service_workers": "block",
+    }
 
     def open_page(path, base=server, **options):
-        options = {"viewport": {"width": 390, "height": 844}, "reduced_motion": "reduce", "service_workers": "block", **options}
+        options = {**usual, **options}
         key = (path, base, str(options))
         if key not in kept:
             context = chromium.new_context(**options)
             contexts.append(context)
-            page, trouble = context.new_page(), []
-            page.on("console", lambda message: trouble.append(message.text) if message.type == "error" else None)
-            page.on("pageerror", lambda error: trouble.append(f"{error}\n{error.stack}"))
-            page.on("dialog", lambda dialog: (trouble.append(dialog.message), dialog.dismiss()))
+            page = context.new_page()
+            trouble = listen(page)
             page.goto(f"{base}/{path.relative_to(site).as_posix()}")
             page.evaluate("document.fonts.ready.then(() => true)")
             kept[key] = page, trouble

@@ -6,12 +6,14 @@ come from the Params of that paper. bundle.mjs does the bundling and leaves out 
 
 `python book/_ext/explorers.py FOLDER LANGUAGE` writes the files into FOLDER and does nothing else.
 """
+
 import importlib
 import importlib.util
 import json
 import re
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import offline
@@ -33,18 +35,23 @@ def paper_names(sources):
         if not (folder / "index.js").exists():
             raise Mistake(f"book/explorers/papers/{folder.name}/index.js is missing.")
         if importlib.util.find_spec(f"kalman_lib.papers.{folder.name}") is None:
-            raise Mistake(f"book/explorers/papers/{folder.name} has no paper: "
-                          f"kalman_lib/papers/{folder.name}.py is missing.")
+            raise Mistake(
+                f"book/explorers/papers/{folder.name} has no paper: "
+                f"kalman_lib/papers/{folder.name}.py is missing."
+            )
     return [folder.name for folder in folders]
 
 
 def table(name, language):
     """The fields of the paper's Params with the words of one language; language None: of both."""
     from kalman_lib.papers import describe
+
     module = importlib.import_module(f"kalman_lib.papers.{name}")
     left_out = {"id", "en"} - {language} if language else set()
-    return {field: {key: value for key, value in meta.items() if key not in left_out}
-            for field, meta in describe(module.Params).items()}
+    return {
+        field: {key: value for key, value in meta.items() if key not in left_out}
+        for field, meta in describe(module.Params).items()
+    }
 
 
 def bundle(target, language, sources=SOURCES):
@@ -52,8 +59,12 @@ def bundle(target, language, sources=SOURCES):
     papers = {name: table(name, language) for name in paper_names(sources)}
     question = {"sources": str(sources), "data": str(DATA), "language": language, "papers": papers}
     program = Path(__file__).with_name("bundle.mjs")
-    made = subprocess.run([str(offline.node_binary()), str(program)], input=json.dumps(question),
-                          capture_output=True, encoding="utf-8")
+    made = subprocess.run(
+        [str(offline.node_binary()), str(program)],
+        input=json.dumps(question),
+        capture_output=True,
+        encoding="utf-8",
+    )
     if made.returncode != 0:
         raise Mistake(made.stderr.strip())
     answer = json.loads(made.stdout)
@@ -62,9 +73,19 @@ def bundle(target, language, sources=SOURCES):
     return answer["views"]
 
 
+def check():
+    """Bundle once before Sphinx starts, in both languages: what is wrong is then one sentence."""
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            bundle(Path(folder), None)
+    except Mistake as mistake:
+        sys.exit(str(mistake))
+
+
 def bundle_for(app, config):
     """The book's language is known: put its scripts among the static files."""
     from sphinx.errors import ExtensionError
+
     folder = Path(app.doctreedir).parent / "explorers"
     try:
         app.explorer_views = bundle(folder / FOLDER, config.language)
@@ -94,9 +115,12 @@ def problems(shown, views):
 def load(app, pagename, templatename, context, doctree):
     """Scripts and style sheet, only on a page that holds an explorer."""
     from sphinx.util import logging
+
     shown = shown_in(context.get("body", ""))
     for problem in problems(shown, app.explorer_views):
-        logging.getLogger(__name__).warning("%s", problem, location=pagename)   # the build takes warnings for errors
+        logging.getLogger(__name__).warning(
+            "%s", problem, location=pagename
+        )  # the build takes warnings for errors
     if shown:
         papers = dict.fromkeys(paper for paper, _ in shown)
         for name in ("core", *papers):
@@ -113,7 +137,5 @@ def setup(app):
 
 if __name__ == "__main__":
     offline.install()
-    try:
-        bundle(Path(sys.argv[1]), sys.argv[2])
-    except Mistake as mistake:
-        sys.exit(str(mistake))
+    check()
+    bundle(Path(sys.argv[1]), sys.argv[2])
