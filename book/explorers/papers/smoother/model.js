@@ -5,10 +5,10 @@ import { linearModel } from "../../numerics/models.js";
 import { simulate as simulateModel } from "../../numerics/random.js";
 
 /** The 16 measurements of the paper's form. */
-export const MEASURED = Float64Array.of(
-  ...[-0.39, -0.49, -0.48, -0.3, -0.25, -0.31, -0.33, -0.48],
-  ...[-0.41, -0.44, -0.38, -0.36, -0.42, -0.44, -0.51, -0.28],
-);
+export const MEASURED = Float64Array.from([
+  -0.39, -0.49, -0.48, -0.3, -0.25, -0.31, -0.33, -0.48, -0.41, -0.44, -0.38, -0.36, -0.42, -0.44, -0.51,
+  -0.28,
+]);
 
 /** A random walk that is measured directly: x = x + w, z = x + v. */
 export function model(p) {
