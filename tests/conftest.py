@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "book" / "_ext"))
 
 # What Chromium leaves out. The first two are hidden pages that belong to the address bar: with them every window that a
 # test opens loads three pages instead of one. The others are on Playwright's own list, which ours replaces.
@@ -70,3 +71,64 @@ def server(site):
         threading.Thread(target=httpd.serve_forever, daemon=True).start()
         yield f"http://127.0.0.1:{httpd.server_port}"
         httpd.shutdown()
+
+
+def listen(page):
+    """A list that takes up whatever goes wrong on a page from now on."""
+    trouble = []
+
+    def hear(message):
+        if message.type == "error":
+            trouble.append(message.text)
+
+    def refuse(dialog):
+        trouble.append(dialog.message)
+        dialog.dismiss()
+
+    page.on("console", hear)
+    page.on("pageerror", lambda error: trouble.append(f"{error}\n{error.stack}"))
+    page.on("dialog", refuse)
+    return trouble
+
+
+@pytest.fixture(scope="module")
+def opened(site, server, chromium):
+    """A page of the book -> a browser page that is ready, and what went wrong on it.
+
+    Kept open for all tests of a file.
+    """
+    kept, contexts = {}, []
+    usual = {
+        "viewport": {"width": 390, "height": 844},
+        "reduced_motion": "reduce",
+        "service_workers": "block",
+    }
+
+    def open_page(path, base=server, **options):
+        options = {**usual, **options}
+        key = (path, base, str(options))
+        if key not in kept:
+            context = chromium.new_context(**options)
+            contexts.append(context)
+            page = context.new_page()
+            trouble = listen(page)
+            page.goto(f"{base}/{path.relative_to(site).as_posix()}")
+            page.evaluate("document.fonts.ready.then(() => true)")
+            kept[key] = page, trouble
+        return kept[key]
+    yield open_page
+    for context in contexts:
+        context.close()
+
+
+@pytest.fixture(scope="session")
+def bundle(chromium, tmp_path_factory):
+    """A blank page with the core and all papers, in both languages: for what the explorers compute."""
+    import explorers
+    folder = tmp_path_factory.mktemp("explorers")
+    papers = explorers.bundle(folder, None)
+    page = chromium.new_page()
+    for name in ("core", *papers):
+        page.add_script_tag(path=folder / f"{name}.js")
+    yield page
+    page.close()

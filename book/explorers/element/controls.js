@@ -1,0 +1,178 @@
+// The controls below the figures, one function a kind. Each returns {element, show()}: show() brings the
+// element up to date with the state. What a paper writes for each kind stands in papers/README.md.
+import { make, setAttribute, setText } from "../drawing/make.js";
+import { calm, glide, play } from "./motion.js";
+import { saveFile } from "./hand-over.js";
+import { copy, makeButton, safely } from "./messages.js";
+import { makeSlider } from "./slider.js";
+import { WORDS } from "./words.js";
+
+const KINDS = {
+  slider: makeSlider,
+  check: makeCheck,
+  select: makeSelect,
+  entry: makeEntry,
+  text: makeText,
+  file: makeFile,
+  buttons: makeButtons,
+};
+
+/** The part of the page for one control: {control, element, show, place (sliders only)}. */
+export function makeControl(explorer, control) {
+  const kind = control.kind || "slider";
+  const part = KINDS[kind](explorer, control);
+  part.element.classList.add("explorer-control", kind);
+  return { control, ...part };
+}
+
+function nameOf(explorer, control, id) {
+  return make("label", { htmlFor: id, textContent: explorer.t.say(control) });
+}
+
+/** The reader has chosen or typed: the value, and what else changes with it. */
+function choose(explorer, control, value) {
+  explorer.change({ [control.name]: value, ...control.also?.(value, explorer.s) });
+}
+
+function makeCheck(explorer, control) {
+  const box = make("input", { type: "checkbox" });
+  box.addEventListener("change", () => explorer.change({ [control.name]: box.checked }));
+  const words = make("span", { textContent: explorer.t.say(control) });
+  const show = () => {
+    box.checked = explorer.s[control.name];
+  };
+  return { element: make("label", {}, box, words), show };
+}
+
+function makeSelect(explorer, control) {
+  const id = `${explorer.id}-${control.name}`;
+  const box = make("select", { id });
+  let shown = []; // the options in the box
+  const fill = (options) => {
+    if (JSON.stringify(options) === JSON.stringify(shown)) {
+      return;
+    }
+    shown = options;
+    box.replaceChildren(
+      ...options.map(([value, words]) => make("option", { value, textContent: explorer.t.say(words) })),
+    );
+  };
+  box.addEventListener("change", () => {
+    const [value] = shown[box.selectedIndex];
+    choose(explorer, control, value);
+  });
+  const show = () => {
+    const { options } = control;
+    fill(typeof options === "function" ? options(explorer.s, explorer.r) : options);
+    box.value = explorer.s[control.name];
+  };
+  return { element: make("div", {}, nameOf(explorer, control, id), box), show };
+}
+
+function makeEntry(explorer, control) {
+  const id = `${explorer.id}-entry`;
+  const box = make("input", {
+    type: "text",
+    id,
+    inputMode: "decimal",
+    autocomplete: "off",
+    className: "explorer-value",
+  });
+  const enter = () => {
+    explorer.change(control.enter(box.value, explorer.s));
+    box.value = "";
+  };
+  box.addEventListener("keydown", (event) => {
+    if (event.key === "Enter") {
+      safely(explorer, enter);
+    }
+  });
+  const button = makeButton(explorer, explorer.t.say(control.button), enter);
+  return { element: make("div", {}, nameOf(explorer, control, id), box, button), show() {} };
+}
+
+function makeText(explorer, control) {
+  const id = `${explorer.id}-${control.name}`;
+  const box = make("textarea", { id, rows: control.rows || 4, spellcheck: false });
+  if (control.placeholder) {
+    box.placeholder = explorer.t.say(control.placeholder);
+  }
+  box.addEventListener("input", () => choose(explorer, control, box.value));
+  const show = () => {
+    const text = explorer.s[control.name] ?? "";
+    if (document.activeElement !== box && box.value !== text) {
+      box.value = text;
+    }
+  };
+  return { element: make("div", {}, nameOf(explorer, control, id), box), show };
+}
+
+function makeFile(explorer, control) {
+  const id = `${explorer.id}-${control.name}`;
+  const box = make("input", { type: "file", id, accept: control.accept || "" });
+  const take = async (file) => {
+    if (file) {
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      choose(explorer, control, { name: file.name, bytes });
+    }
+  };
+  box.addEventListener("change", () => take(box.files[0]));
+  const hint = make("span", { className: "explorer-hint", textContent: explorer.t.say(WORDS.drop) });
+  const element = make("div", {}, nameOf(explorer, control, id), box, hint);
+  element.addEventListener("dragover", (event) => event.preventDefault());
+  element.addEventListener("drop", (event) => {
+    event.preventDefault();
+    take(event.dataTransfer.files[0]);
+  });
+  const show = () => {
+    if (explorer.s[control.name] === null && box.value) {
+      box.value = "";
+    }
+  };
+  return { element, show };
+}
+
+function makeButtons(explorer, control) {
+  const { t } = explorer;
+  const buttons = control.items.map((item) => makeButton(explorer, t.say(item), () => press(explorer, item)));
+  const element = make("div", { role: "group" }, ...buttons);
+  const name = control[t.language] ? t.say(control) : "";
+  if (name) {
+    element.setAttribute("aria-label", name);
+    element.prepend(make("span", { className: "explorer-name", textContent: name }));
+  }
+  const show = () => control.items.forEach((item, i) => showButton(explorer, item, buttons[i]));
+  return { element, show };
+}
+
+function showButton(explorer, item, button) {
+  const { s, t, playing } = explorer;
+  if (item.pressed) {
+    setAttribute(button, "aria-pressed", String(Boolean(item.pressed(s))));
+  }
+  if (item.disabled) {
+    button.disabled = Boolean(item.disabled(s));
+  }
+  if (item.play) {
+    setText(button, t.say(playing === item.play ? WORDS.stop : item));
+  }
+}
+
+/** What a button does: set values, play, copy, or save. */
+async function press(explorer, item) {
+  const { s, r, t } = explorer;
+  if (item.set) {
+    const changes = typeof item.set === "function" ? item.set(s, r) : item.set;
+    if (item.glide && !calm()) {
+      glide(explorer, changes, item.glide);
+    } else {
+      explorer.change(changes);
+    }
+  } else if (item.play) {
+    play(explorer, item);
+  } else if (item.copy) {
+    await copy(explorer, item.copy(r, s, t));
+  } else if (item.save) {
+    saveFile(item.save(r, s, t));
+  }
+}

@@ -1,0 +1,74 @@
+// A pointer that takes something in a figure along. A finger that goes up or down scrolls the page.
+import { nearestStep } from "./settings.js";
+
+const SIDEWAYS = 6; // pixels: so far a finger must go aside before it holds something
+
+/** Let the pointer drag in this plot, as spec.drag(x, y, s, r) of the paper says. */
+export function makeDraggable(explorer, plot) {
+  const { canvas } = plot;
+  const grip = { explorer, plot, held: false, pressed: null }; // pressed: by a finger that is undecided yet
+  canvas.classList.add("draggable");
+  canvas.addEventListener("pointerdown", (event) => press(grip, event));
+  canvas.addEventListener("pointermove", (event) => pull(grip, event));
+  canvas.addEventListener("pointerup", (event) => {
+    if (grip.pressed) {
+      hold(grip, event); // a tap
+    }
+    release(grip);
+  });
+  canvas.addEventListener("pointercancel", () => release(grip));
+}
+
+function press(grip, event) {
+  if (!event.isPrimary) {
+    return;
+  }
+  if (event.pointerType === "touch") {
+    grip.pressed = event;
+  } else {
+    hold(grip, event);
+  }
+}
+
+function pull(grip, event) {
+  if (grip.held) {
+    move(grip, event);
+  } else if (grip.pressed && Math.abs(event.clientX - grip.pressed.clientX) > SIDEWAYS) {
+    hold(grip, event);
+  }
+}
+
+function hold(grip, event) {
+  grip.pressed = null;
+  grip.held = move(grip, event);
+  if (grip.held) {
+    grip.plot.canvas.setPointerCapture(event.pointerId);
+  }
+}
+
+function release(grip) {
+  if (grip.held) {
+    grip.explorer.toAddress();
+  }
+  grip.held = false;
+  grip.pressed = null;
+}
+
+/** Change what lies under the pointer; false: there is nothing to take along. */
+function move({ explorer, plot }, event) {
+  const box = plot.canvas.getBoundingClientRect();
+  const x = plot.x_of?.(event.clientX - box.left);
+  const y = plot.y_of?.(event.clientY - box.top);
+  const changes = explorer.r && plot.spec.drag(x, y, explorer.s, explorer.r);
+  if (!changes) {
+    return false;
+  }
+  for (const [name, value] of Object.entries(changes)) {
+    const control = explorer.controls.find((other) => other.name === name);
+    if (control && typeof value === "number" && !control.log) {
+      changes[name] = nearestStep(control, value);
+    }
+  }
+  explorer.change(changes, true);
+  return true;
+}

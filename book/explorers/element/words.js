@@ -1,0 +1,35 @@
+// What every explorer says, whatever its paper.
+
+export const WORDS = {
+  reset: { id: "Ulang dari awal", en: "Start again" },
+  noise: { id: "Derau baru", en: "New noise" },
+  link: { id: "Salin tautan", en: "Copy link" },
+  copied: { id: "Disalin.", en: "Copied." },
+  refused: {
+    id: "Peramban menolak menyalin. Tautannya ada di kolom alamat.",
+    en: "The browser refused to copy. The link is in the address bar.",
+  },
+  typed: { id: "{name}: ketik nilainya", en: "{name}: type the value" },
+  range: {
+    id: "{name} = {value}: yang diterima {min} sampai {max}{unit}.",
+    en: "{name} = {value}: accepted are {min} to {max}{unit}.",
+  },
+  hash: {
+    id: "Bagian alamat “{text}” tidak dimengerti, jadi pengaturannya tidak dipakai.",
+    en: "The part “{text}” of the address makes no sense, so its settings are not used.",
+  },
+  failed: {
+    id: "Perhitungannya gagal ({text}); gambar sebelumnya tetap.",
+    en: "The calculation failed ({text}); the figure before it stays.",
+  },
+  equations: { id: "Persamaan dengan angkanya", en: "Equations with their numbers" },
+  numbers: { id: "Tampilkan angka-angkanya", en: "Show the numbers" },
+  check: { id: "Hitung sendiri", en: "Work it out by hand" },
+  answer: { id: "Jawaban", en: "Answer" },
+  verify: { id: "Periksa", en: "Check" },
+  other: { id: "Soal lain", en: "Another question" },
+  right: { id: "Benar: {value}.", en: "Right: {value}." },
+  controls: { id: "Kendali", en: "Controls" },
+  drop: { id: "atau seret berkas ke sini", en: "or drop a file here" },
+  stop: { id: "Berhenti", en: "Stop" },
+};

@@ -1,0 +1,5 @@
+// Chapter 5: what the page needs of it.
+import { walk } from "./view.js";
+
+export * from "./model.js";
+export const views = { walk };

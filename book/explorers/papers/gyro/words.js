@@ -1,0 +1,172 @@
+// What both explorers of chapter 3 say.
+
+export const NAMES = {
+  flight: { id: "Simulasi giroskop", en: "The gyroscope simulation" },
+  mismatch: { id: "Harga σ yang salah", en: "What a wrong σ costs" },
+};
+
+export const OUTCOME = {
+  run: {
+    id:
+      "Pada percobaan ini RMSE sensor {sensor} rad dan RMSE filter {rmse} rad; " +
+      "galat terbesarnya {z} rad (pengukuran) dan {x} rad (estimasi).",
+    en:
+      "In this run the RMSE of the sensor is {sensor} rad and that of the filter {rmse} rad; " +
+      "the largest errors are {z} rad (measurement) and {x} rad (estimate).",
+  },
+  honest: {
+    id: "Dalam {runs} percobaan RMSE-nya {all} rad, rata-rata NEES {nees} dan NIS {nis}: sesuai dengan P.",
+    en: "Over {runs} runs the RMSE is {all} rad, mean NEES {nees} and NIS {nis}: as P says.",
+  },
+  sure: {
+    id:
+      "Dalam {runs} percobaan RMSE-nya {all} rad (optimum {best} rad), " +
+      "rata-rata NEES {nees} dan NIS {nis}: filter terlalu yakin, P-nya terlalu kecil.",
+    en:
+      "Over {runs} runs the RMSE is {all} rad (optimum {best} rad), " +
+      "mean NEES {nees} and NIS {nis}: the filter is overconfident, its P is too small.",
+  },
+  doubtful: {
+    id:
+      "Dalam {runs} percobaan RMSE-nya {all} rad (optimum {best} rad), " +
+      "rata-rata NEES {nees} dan NIS {nis}: filter terlalu ragu, P-nya terlalu besar.",
+    en:
+      "Over {runs} runs the RMSE is {all} rad (optimum {best} rad), " +
+      "mean NEES {nees} and NIS {nis}: the filter is too doubtful, its P is too large.",
+  },
+  between: {
+    id:
+      "Dalam {runs} percobaan RMSE-nya {all} rad (optimum {best} rad), " +
+      "rata-rata NEES {nees} dan NIS {nis}: P kira-kira tepat, walaupun sigma yang dipercayai filter salah.",
+    en:
+      "Over {runs} runs the RMSE is {all} rad (optimum {best} rad), " +
+      "mean NEES {nees} and NIS {nis}: P is about right although the believed sigmas are wrong.",
+  },
+  seed: { id: "Data sintetis (benih acak {seed}).", en: "Synthetic data (random seed {seed})." },
+};
+
+export const FACTS = {
+  first: { id: "langkah pertama", en: "first step" },
+  last: { id: "langkah terakhir", en: "last step" },
+  steady: { id: "keadaan tunak", en: "steady state" },
+  error: { id: "galat sebenarnya (rad)", en: "true error (rad)" },
+  optimum: { id: "optimum (rad)", en: "optimum (rad)" },
+};
+
+export const CONTROLS = {
+  mems: { id: "Giroskop MEMS", en: "MEMS gyroscope" },
+  other: { id: "filter percaya pada sigma yang lain", en: "the filter believes another sigma" },
+  believed: { id: "menurut filter", en: "as the filter believes" },
+  w_tenth: { id: "σ_w sepersepuluh", en: "σ_w a tenth" },
+  w_ten: { id: "σ_w 10 kali", en: "σ_w 10 times" },
+  v_tenth: { id: "σ_v sepersepuluh", en: "σ_v a tenth" },
+  v_ten: { id: "σ_v 10 kali", en: "σ_v 10 times" },
+  truth: { id: "yang benar", en: "the truth" },
+  times_w: {
+    id: "σ_w menurut filter dibagi yang benar",
+    en: "σ_w as the filter believes it, over the true one",
+  },
+  times_v: {
+    id: "σ_v menurut filter dibagi yang benar",
+    en: "σ_v as the filter believes it, over the true one",
+  },
+};
+
+export const ANGLE = {
+  title: { id: "Sudut (rad)", en: "Angle (rad)" },
+  alt: {
+    id:
+      "Grafik sudut terhadap waktu: titik pengukuran, garis sebenarnya, " + "dan garis estimasi dengan pita.",
+    en:
+      "Plot of the angle against time: measured dots, the true line, " +
+      "and the estimated line with its band.",
+  },
+};
+
+export const ERROR = {
+  title: { id: "Galat (rad)", en: "Error (rad)" },
+  alt: {
+    id:
+      "Grafik galat terhadap waktu: galat pengukuran, galat estimasi, pita menurut filter, " +
+      "dan pita dari banyak percobaan.",
+    en:
+      "Plot of the errors against time: of the measurement, of the estimate, " +
+      "the band that the filter states, " +
+      "and the band of many runs.",
+  },
+};
+
+export const GAIN = {
+  title: { id: "Penguatan K", en: "Gain K" },
+  alt: {
+    id: "Grafik penguatan terhadap waktu dan nilainya pada keadaan tunak.",
+    en: "Plot of the gain against time and its steady value.",
+  },
+};
+
+export const DEVIATION = {
+  title: "√P (rad)",
+  alt: {
+    id: "Grafik simpangan baku menurut filter, dan dari banyak percobaan, terhadap waktu.",
+    en: "Plot of the standard deviation as the filter states it, and of many runs, against time.",
+  },
+};
+
+export const CONSISTENCY = {
+  title: { id: "Konsistensi", en: "Consistency" },
+  alt: {
+    id: "Grafik rata-rata NEES dan NIS dari semua percobaan terhadap waktu, dengan pita 95 % khi-kuadrat.",
+    en: "Plot of the mean NEES and NIS of all runs against time, with the 95 % chi-square band.",
+  },
+};
+
+export const LABELS = {
+  steady: { id: "tunak", en: "steady" },
+  of_runs: { id: "dari percobaan", en: "of the runs" },
+  chi_square: { id: "95 % khi-kuadrat", en: "95 % chi-square" },
+  truth: { id: "yang benar", en: "the truth" },
+  belief: { id: "yang dipercayai filter", en: "what the filter believes" },
+};
+
+// --- the map of a wrong sigma ------------------------------------------------------------------------------
+
+export const VERDICT = {
+  map: {
+    id:
+      "Filter percaya σ_w = {w} rad/s dan σ_v = {v} rad, padahal yang benar {true_w} dan {true_v}. " +
+      "RMSE-nya {rmse} rad, {cost} kali yang terbaik ({best} rad), dan NEES-nya {nees}: {word}.",
+    en:
+      "The filter believes σ_w = {w} rad/s and σ_v = {v} rad; the truth is {true_w} and {true_v}. " +
+      "Its RMSE is {rmse} rad, {cost} times the best ({best} rad), and its NEES {nees}: {word}.",
+  },
+  runs: {
+    id: "Dari {runs} percobaan sintetis (benih acak {seed}): RMSE {all} rad, NEES {mean}.",
+    en: "From {runs} synthetic runs (random seed {seed}): RMSE {all} rad, NEES {mean}.",
+  },
+  sure: { id: "terlalu yakin", en: "too sure" },
+  doubtful: { id: "terlalu ragu", en: "too doubtful" },
+  honest: { id: "P-nya jujur", en: "its P is honest" },
+};
+
+export const COST_MAP = {
+  title: {
+    id: "RMSE / terbaik: σ_w mendatar, σ_v (rad) tegak",
+    en: "RMSE / best: σ_w across, σ_v (rad) upwards",
+  },
+  alt: {
+    id: "Peta RMSE relatif: lembah lurus sejajar diagonal, naik ke sudut kiri atas dan kanan bawah.",
+    en:
+      "Map of the relative RMSE: a straight valley along the diagonal, " +
+      "rising to the top left and bottom right corners.",
+  },
+};
+
+export const NEES_MAP = {
+  title: { id: "NEES: σ_w mendatar, σ_v (rad) tegak", en: "NEES: σ_w across, σ_v (rad) upwards" },
+  alt: {
+    id: "Peta rata-rata NEES: besar di kiri dan di bawah, kecil di sudut kanan atas.",
+    en: "Map of the mean NEES: large at the left and at the bottom, small in the top right corner.",
+  },
+};
+
+export const COST_HEAD = { id: "RMSE / terbaik", en: "RMSE / best" };

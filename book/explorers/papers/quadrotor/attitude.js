@@ -1,0 +1,233 @@
+// The attitude filter: for each axis a small Kalman filter with state [angle, s], s the error of the
+// gyroscope's rate u; x is the angle, and P00, P01, P11 are the elements of its P.
+import { DEG, euler_rates, heading, wrap } from "./model.js";
+import { is_dynamic, measured } from "./sensors.js";
+import { mean, median_step, spread, totalVariance, whole } from "./statistics.js";
+
+const R_LEAST = 1e-12; // rad2
+const RECENT = 0.5; // s: so long the adaptive method looks back
+const R_LARGEST = 1e4; // times that at rest
+const SERIES = ["angles", "z", "u", "s", "y", "P", "R"];
+
+const METHOD = {
+  kept: false, // is s a state, or noise of one step?
+  R_min: [(3 * DEG) ** 2, (3 * DEG) ** 2, (15 * DEG) ** 2],
+  without: [], // corrections that are left out
+  m: 1, // R is m times as large while the craft is dynamic
+  window: 1, // s
+  threshold: 4,
+  gain: 30,
+  largest: R_LARGEST,
+  q_bias: 1e-9,
+};
+
+/** The three methods; what the numbers mean is told at the Python twin, class Method. */
+export const METHODS = {
+  literal: {
+    ...METHOD,
+    q: DEG ** 2,
+    R_min: [0, 0, 0],
+    m: 0.16,
+    without: ["formulas", "Euler rates", "wrapping", "estimated tilt", "rest variance"],
+  },
+  paper: { ...METHOD, q: 30 * DEG ** 2 },
+  adaptive: { ...METHOD, q: (0.1 * DEG) ** 2, kept: true, R_min: [0, 0, (15 * DEG) ** 2] },
+};
+
+/**
+ * Filter a recording {t (T), gyr, acc, mag (3 T), rest_s} by a method: {angles, z, u, s, y, P, R (3 T),
+ * dynamic (T)}. NaN: a silent sensor. memo keeps the arrays, and what only depends on the sensors, for the
+ * next call.
+ */
+export function attitude(recording, how, memo = {}) {
+  const { t, gyr, mag } = recording;
+  const T = t.length;
+  prepare(recording, how, memo);
+  const f = startFilter(recording, how, memo);
+  memo.z.set(memo.given);
+  memo.y.fill(NaN);
+  storeStart(f, memo);
+  for (let k = 1; k < T; k++) {
+    const dt = t[k] - t[k - 1];
+    readGyroscope(f, gyr, k, dt);
+    predictAngles(f, dt);
+    if (f.estimates_tilt) {
+      memo.z[3 * k + 2] = heading(mag[3 * k], mag[3 * k + 1], mag[3 * k + 2], f.x[0], f.x[1]);
+    }
+    const factor = memo.dynamic[k] ? how.m : 1;
+    for (let i = 0; i < 3; i++) {
+      updateAngle(f, memo, i, 3 * k + i, factor);
+    }
+    if (f.wraps) {
+      f.x[0] = wrap(f.x[0]);
+      f.x[2] = wrap(f.x[2]);
+    }
+    store(f, memo, k);
+  }
+  return memo;
+}
+
+// --- before the first step ---------------------------------------------------------------------------------
+
+/** Fill memo with what depends on sensors and method only; most of it stays while a slider moves. */
+function prepare({ t, gyr, acc, mag, rest_s }, how, memo) {
+  const T = t.length;
+  const { without } = how;
+  const rest = stepsAtRest(t, rest_s);
+  const isSame = memo.gyr === gyr && memo.acc === acc && memo.mag === mag && memo.without === without;
+  if (!isSame) {
+    const { z, start } = measured(acc, mag, rest, without);
+    const count = without.includes("rest variance") ? T : rest;
+    const of_sensors = { given: z, start, step: median_step(t), spread: spread(z, count), dynamic_by: null };
+    Object.assign(memo, { gyr, acc, mag, without, rest, ...of_sensors });
+    makeSeries(memo, T);
+  }
+  const dynamic_by = `${how.window} ${how.threshold}`;
+  if (memo.dynamic_by !== dynamic_by) {
+    memo.dynamic_by = dynamic_by;
+    memo.dynamic = is_dynamic(t, mag, rest, how.window, how.threshold, memo.step);
+  }
+}
+
+function stepsAtRest(t, rest_s) {
+  let rest = 0;
+  while (rest < t.length && t[rest] - t[0] <= rest_s) {
+    rest++;
+  }
+  return rest;
+}
+
+function makeSeries(memo, T) {
+  if (memo.angles?.length !== 3 * T) {
+    for (const name of SERIES) {
+      memo[name] = new Float64Array(3 * T);
+    }
+  }
+}
+
+/** The three filters as they start: one number per axis in every array. */
+function startFilter({ gyr, rest_s }, how, memo) {
+  const { rest } = memo;
+  const isMissing = (name) => how.without.includes(name);
+  const R_rest = memo.spread.map((variance, i) => Math.max(variance, how.R_min[i], R_LEAST));
+  const P_s = how.kept ? totalVariance(gyr, rest) / 3 / rest_s : 0;
+  const factor = memo.dynamic[0] ? how.m : 1;
+  const length = Math.max(1, whole(RECENT / memo.step));
+  return {
+    how,
+    x: Float64Array.from(memo.start),
+    s: new Float64Array(3),
+    u: new Float64Array(3), // rates of roll, pitch, yaw
+    gyr: new Float64Array(3), // rates of the body
+    P00: Float64Array.from(R_rest, (R) => R * factor),
+    P01: new Float64Array(3),
+    P11: new Float64Array(3).fill(P_s),
+    R_rest,
+    gyr_at_rest: [0, 1, 2].map((i) => (isMissing("rest mean") ? 0 : mean(gyr, i, rest))),
+    recent: [0, 1].map(() => ({ squares: new Float64Array(length), count: 0 })), // y^2 of roll and pitch
+    turns_rates: !isMissing("Euler rates"),
+    looks_ahead: !isMissing("midpoint"),
+    wraps: !isMissing("wrapping"),
+    estimates_tilt: !isMissing("estimated tilt"),
+  };
+}
+
+// --- one step ----------------------------------------------------------------------------------------------
+
+/** u: the rates of the angles in the middle of step k. */
+function readGyroscope(f, gyr, k, dt) {
+  const { x, s, u } = f;
+  for (let i = 0; i < 3; i++) {
+    f.gyr[i] = (gyr[3 * k + i] + gyr[3 * k + i - 3]) / 2 - f.gyr_at_rest[i];
+  }
+  if (!f.turns_rates) {
+    u.set(f.gyr);
+    return;
+  }
+  euler_rates(f.gyr, x[0], x[1], u);
+  if (f.looks_ahead) {
+    const roll = x[0] + (dt / 2) * (u[0] - s[0]);
+    const pitch = x[1] + (dt / 2) * (u[1] - s[1]);
+    euler_rates(f.gyr, roll, pitch, u);
+  }
+}
+
+/** angle += dt (u - s), and P = F P F' + Q with F = [[1, -dt], [0, 1 or 0]]. */
+function predictAngles({ how, x, s, u, P00, P01, P11 }, dt) {
+  const { q, q_bias, kept } = how;
+  for (let i = 0; i < 3; i++) {
+    x[i] += dt * (u[i] - s[i]);
+    P00[i] += dt * (dt * P11[i] - 2 * P01[i]);
+    if (kept) {
+      P01[i] -= dt * P11[i];
+      P00[i] += q * dt;
+      P11[i] += q_bias * dt;
+    } else {
+      s[i] = 0;
+      P00[i] += (q * dt * dt * dt) / 3;
+      P01[i] = (-q * dt * dt) / 2;
+      P11[i] = q * dt;
+    }
+  }
+}
+
+/**
+ * Blend axis i with its measured angle; at: its place in the series. factor: m, while the craft is dynamic.
+ */
+function updateAngle(f, series, i, at, factor) {
+  const { x, s, P00, P01, P11 } = f;
+  let R = factor * f.R_rest[i];
+  if (!Number.isNaN(series.given[at])) {
+    const difference = series.z[at] - x[i];
+    const y = f.wraps ? wrap(difference) : difference;
+    if (f.how.kept && i < 2) {
+      R = adaptedNoise(f, i, y, R, factor);
+    }
+    const S = P00[i] + R;
+    const K0 = P00[i] / S;
+    const K1 = P01[i] / S;
+    x[i] += K0 * y;
+    s[i] += K1 * y;
+    P00[i] = K0 * R;
+    P11[i] -= K1 * P01[i];
+    P01[i] = K1 * R;
+    series.y[at] = y;
+  }
+  series.R[at] = R;
+  series.P[at] = P00[i];
+}
+
+/** R of roll or pitch by the last innovations: what they have more than P_pred says, times a gain. */
+function adaptedNoise({ how, P00, R_rest, recent }, i, y, R, factor) {
+  const { squares } = recent[i];
+  squares[recent[i].count % squares.length] = y * y;
+  recent[i].count++;
+  let sum = 0;
+  for (let j = 0; j < squares.length; j++) {
+    sum += squares[j]; // those that have not come are 0
+  }
+  const mean_square = sum / Math.min(recent[i].count, squares.length);
+  const most = factor * how.largest * R_rest[i];
+  return how.gain * Math.min(Math.max(mean_square - P00[i], R), most);
+}
+
+// --- what is kept of it ------------------------------------------------------------------------------------
+
+function storeStart({ x, P00 }, series) {
+  for (let i = 0; i < 3; i++) {
+    series.u[i] = 0;
+    series.s[i] = 0;
+    series.y[i] = 0;
+    series.angles[i] = x[i];
+    series.P[i] = P00[i];
+    series.R[i] = P00[i];
+  }
+}
+
+function store({ x, u, s }, series, k) {
+  for (let i = 0; i < 3; i++) {
+    series.angles[3 * k + i] = x[i];
+    series.u[3 * k + i] = u[i];
+    series.s[3 * k + i] = s[i];
+  }
+}

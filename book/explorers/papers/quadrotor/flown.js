@@ -1,0 +1,100 @@
+// One flight, filtered as the reader has chosen. What does not change is kept: the flight, the sensors, the
+// result.
+import { generator } from "../../numerics/random.js";
+import { METHODS, attitude } from "./attitude.js";
+import { simulate } from "./flight.js";
+import { DEG, wrap } from "./model.js";
+import { mean, rmse_deg } from "./statistics.js";
+
+const SKIP = 20; // of the flight every twentieth sample is drawn, 0.4 s: about one for a pixel
+
+export function compute(s, memo) {
+  const sensor_key = `${s.seed} ${s.gyr} ${s.acc} ${s.mag}`;
+  const method_key = `${s.method} ${s.m} ${s.q} ${s.window} ${s.threshold}`;
+  const flight = kept(memo, "flight", s.seed, () => simulate(s, generator(s.seed)));
+  const sensors = kept(memo, "sensors", sensor_key, () => sensorsInUse(flight, s));
+  const shown = kept(memo, "shown", `${sensor_key} ${method_key}`, () => filtered(flight, sensors, s, memo));
+  return { ...shown, k: Math.min(Math.round(s.moment / s.dt), flight.T - 1) };
+}
+
+/** What memo holds under this name, made anew only when its key has changed. */
+function kept(memo, name, key, make) {
+  if (memo[name]?.key !== key) {
+    memo[name] = { key, value: make() };
+  }
+  return memo[name].value;
+}
+
+/** The recording as the filter gets it: a gyroscope that is switched off says 0, another sensor nothing. */
+function sensorsInUse({ T, t, gyr, acc, mag, rest_s }, s) {
+  const zero = new Float64Array(3 * T);
+  const nothing = new Float64Array(3 * T).fill(NaN);
+  return { t, rest_s, gyr: s.gyr ? gyr : zero, acc: s.acc ? acc : nothing, mag: s.mag ? mag : nothing };
+}
+
+/** The method with the settings of the reader; the adaptive one has its own. */
+function methodOf(s) {
+  const method = METHODS[s.method];
+  if (method.kept) {
+    return method;
+  }
+  return { ...method, m: s.m, q: s.q * DEG ** 2, window: s.window, threshold: s.threshold };
+}
+
+function filtered(flight, sensors, s, memo) {
+  memo.filter ??= {};
+  const how = methodOf(s);
+  const result = attitude(sensors, how, memo.filter);
+  const { angles } = result;
+  for (let at = 0; at < angles.length; at++) {
+    angles[at] = wrap(angles[at]);
+  }
+  let found; // the sentences and tables follow a moving slider less often than the figures
+  const measures = () => {
+    found ??= measuresOf(flight.truth, result);
+    return found;
+  };
+  return { flight, result, how, lines: linesOf(flight, result, memo), measures };
+}
+
+/** RMSE (3) in degrees and means (3) in rad of filter and sensors alone. */
+function measuresOf(truth, { angles, z }) {
+  const means = (values) => [0, 1, 2].map((i) => mean(values, i, truth.length / 3));
+  return {
+    rmse: rmse_deg(truth, angles),
+    rmse_z: rmse_deg(truth, z),
+    truth: means(truth),
+    mean: means(angles),
+    mean_z: means(z),
+  };
+}
+
+/** What the panels draw, in degrees: {t, panels: [{x, z, truth}, ...]}, every twentieth sample. */
+function linesOf({ T, t, truth }, { angles, z }, memo) {
+  const count = Math.ceil(T / SKIP);
+  const empty = () => new Float64Array(count);
+  memo.lines ??= {
+    t: empty(),
+    panels: [0, 1, 2].map(() => ({ x: empty(), z: empty(), truth: empty() })),
+  };
+  const { lines } = memo;
+  for (let j = 0; j < count; j++) {
+    lines.t[j] = t[j * SKIP];
+  }
+  lines.panels.forEach((panel, i) => fillPanel(panel, i, truth, angles, z));
+  return lines;
+}
+
+/** Estimate and truth without a jump where they go round, the measurement beside the estimate. */
+function fillPanel(panel, i, truth, angles, z) {
+  let actual = truth[i];
+  let estimate = actual + wrap(angles[i] - actual);
+  for (let j = 0; j < panel.x.length; j++) {
+    const at = 3 * SKIP * j + i;
+    actual += wrap(truth[at] - actual);
+    estimate += wrap(angles[at] - estimate);
+    panel.x[j] = estimate / DEG;
+    panel.z[j] = (estimate + wrap(z[at] - estimate)) / DEG;
+    panel.truth[j] = actual / DEG;
+  }
+}

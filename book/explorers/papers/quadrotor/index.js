@@ -1,0 +1,8 @@
+// Chapter 6: what the page needs of it.
+import { flight } from "./view.js";
+
+export { METHODS, attitude } from "./attitude.js";
+export { simulate } from "./flight.js";
+export * from "./model.js";
+export { galat, rmse_deg } from "./statistics.js";
+export const views = { flight };

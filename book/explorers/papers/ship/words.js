@@ -1,0 +1,115 @@
+// What the explorer of chapter 4 says.
+
+export const NAME = {
+  id: "Kecepatan kapal: pencocokan, kutub, dan filter",
+  en: "The ship's speed: fit, poles and filter",
+};
+
+export const RECORDING = {
+  one_column: {
+    id: "Diperlukan dua kolom bilangan, waktu dan kecepatan; hanya satu yang ditemukan.",
+    en: "Two columns of numbers are needed, time and speed; only one was found.",
+  },
+  too_fast: {
+    id: "Baris {line}: kecepatan {z} m/s terlalu besar, batasnya {most} m/s.",
+    en: "Line {line}: a speed of {z} m/s is too large, the limit is {most} m/s.",
+  },
+  gaps: {
+    id: "Kecepatan kosong: {gaps}; di sana filter hanya memprediksi.",
+    en: "Missing speeds: {gaps}; there the filter only predicts.",
+  },
+  no_fit: {
+    id:
+      "c, a1, dan a2 memerlukan sedikitnya lima kecepatan berurutan " +
+      "yang tidak terletak pada satu garis lurus atau satu eksponensial.",
+    en: "c, a1 and a2 need at least five speeds in a row " + "that do not lie on a line or one exponential.",
+  },
+};
+
+export const OUTCOME = {
+  result: {
+    id: "Kuadrat terkecil: c = {c} m/s, a₁ = {a1}, a₂ = {a2}. Kutub: {poles}.",
+    en: "Least squares: c = {c} m/s, a₁ = {a1}, a₂ = {a2}. Poles: {poles}.",
+  },
+  still: { id: "Tanpa derau kutubnya {still}.", en: "Without noise the poles would be {still}." },
+  unstable: {
+    id: "Ada kutub di luar lingkaran: model ini tidak stabil.",
+    en: "A pole lies outside the circle: this model is unstable.",
+  },
+  rmse: {
+    id: "RMSE: pengukuran {z} m/s, estimasi {x} m/s.",
+    en: "RMSE: measurements {z} m/s, estimate {x} m/s.",
+  },
+  nis: {
+    id: "Rata-rata NIS = {nis} (seharusnya sekitar 1).",
+    en: "Mean NIS = {nis} (it should be about 1).",
+  },
+};
+
+export const FACTS = {
+  fit: { id: "pencocokan", en: "fit" },
+  average: { id: "rata-rata pada derau ini", en: "on average at this noise" },
+  still: { id: "tanpa derau", en: "without noise" },
+  poles: { id: "kutub p", en: "poles p" },
+};
+
+export const CONTROLS = {
+  noise: { id: "Derau baru", en: "New noise" },
+  smooth: { id: "penghalus (maju, lalu mundur)", en: "smoother (forwards, then backwards)" },
+  first: { id: "mulai dari pengukuran pertama", en: "start at the first measurement" },
+  text: {
+    id: "Data sendiri (tetap di perangkat ini): tempelkan dua kolom, waktu lalu kecepatan",
+    en: "Data of your own (it stays on this device): paste two columns, time then speed",
+  },
+  placeholder: { id: "0,0\t0,12\n0,1\t0,15", en: "0.0\t0.12\n0.1\t0.15" },
+  file: { id: "atau buka berkas CSV", en: "or open a CSV file" },
+  time_unit: { id: "Satuan waktu", en: "Unit of time" },
+  speed_unit: { id: "Satuan kecepatan", en: "Unit of speed" },
+  km_h: { id: "km/jam", en: "km/h" },
+  knots: { id: "knot", en: "knots" },
+  sign: { id: "Tanda desimal", en: "Decimal sign" },
+  find_out: { id: "kenali sendiri", en: "find out" },
+  comma: { id: "koma", en: "comma" },
+  point: { id: "titik", en: "point" },
+  back: { id: "Kembali ke uji tarik sintetis", en: "Back to the synthetic towing run" },
+};
+
+export const SPEED = {
+  title: { id: "Kecepatan (m/s)", en: "Speed (m/s)" },
+  alt: {
+    id:
+      "Grafik kecepatan kapal terhadap waktu: titik pengukuran, garis sebenarnya bila diketahui, " +
+      "dan estimasi dengan pitanya.",
+    en:
+      "Plot of the ship's speed against time: measured dots, the true line where it is known, " +
+      "and the estimate with its band.",
+  },
+};
+
+export const POLES = {
+  title: { id: "Kutub p", en: "Poles p" },
+  alt: {
+    id: "Kutub model di bidang kompleks dengan lingkaran satuan.",
+    en: "The model's poles in the complex plane with the unit circle.",
+  },
+};
+
+export const BIAS = {
+  title: { id: "Bias: Re p", en: "Bias: Re p" },
+  alt: {
+    id:
+      "Grafik bagian real kedua kutub terhadap derau: rata-rata menurut rumus " +
+      "dan hasil pencocokan pada data ini.",
+    en:
+      "Plot of the real parts of both poles against the noise: their mean by the formula " +
+      "and fits to this data.",
+  },
+};
+
+export const LABELS = {
+  fitted: { id: "hasil pencocokan", en: "fitted" },
+  still: { id: "tanpa derau", en: "without noise" },
+  now: { id: "derau sekarang", en: "noise now" },
+  formula: { id: "rumus", en: "formula" },
+  fits: { id: "pencocokan", en: "fits" },
+};

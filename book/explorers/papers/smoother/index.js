@@ -1,0 +1,8 @@
+// Chapter 2: what the page needs of it.
+import { online } from "./online.js";
+import { form } from "./view.js";
+
+export { readFile, readText } from "../../files/table.js"; // for the tests
+export * from "./model.js";
+export { writeWorkbook } from "./workbook.js";
+export const views = { form, online };

@@ -1,0 +1,185 @@
+// The first explorer of chapter 2: the paper's form, with data of the reader's own.
+import { rmse } from "../../numerics/metrics.js";
+import { PAPER, isOwn, load, settingsFor } from "./data.js";
+import { LOOK_ALIKES, equal_window, exponential, lag, maximum_likelihood } from "./model.js";
+import { moving_average, roughness, run, smoothed, steady_gain } from "./model.js";
+import { question } from "./questions.js";
+import {
+  DEVIATION_PLOT,
+  GAIN_PLOT,
+  counted,
+  drawDeviation,
+  drawGain,
+  labelOf,
+  nameOf,
+  numbers,
+} from "./shared.js";
+import { buttons } from "./take.js";
+import { CONTROLS, FACTS, MEASUREMENTS, NAMES, OUTCOME, SOURCES } from "./words.js";
+
+const LIKELIHOOD_POINTS = 5000; // so many values tell Q and R well enough
+const LEAST_VARIANCE = 1e-12; // the range of Params
+const LARGEST_VARIANCE = 1e6;
+
+function compute(s, memo) {
+  const data = load(s, memo);
+  const { z, truth } = data;
+  memo.result = run(s, data, memo.result);
+  const { result } = memo;
+  if (memo.k?.length !== z.length) {
+    memo.k = counted(z.length);
+  }
+  const K = steady_gain(s.Q / s.R);
+  const smooth = smoothed(result, s.Q);
+  const lines = { x: result.x, average: moving_average(z, s.window) };
+  if (s.exponential) {
+    lines.exponential = exponential(z, K);
+  }
+  if (s.rts) {
+    lines.smooth = smooth.x;
+  }
+  const root = result.P.map(Math.sqrt);
+  return { data, z, truth, result, smooth, K, lines, k: memo.k, root, lags: {} };
+}
+
+/** The lags, for which a long series takes a while. */
+function* refine(r) {
+  const reference = r.truth ?? r.smooth.x;
+  for (const [name, line] of Object.entries(r.lines)) {
+    r.lags[name] = lag(line, reference);
+    yield;
+  }
+}
+
+/** The look of every line, in the order in which they are drawn. */
+const LOOKS = { average: "rival", smooth: "smooth", x: "estimate", exponential: "quiet" };
+
+function drawMeasurements(r, s) {
+  const names = Object.keys(LOOKS).filter((name) => r.lines[name]);
+  const lines = names.map((name) => ({
+    look: LOOKS[name],
+    x: r.k,
+    y: r.lines[name],
+    label: labelOf(name, s),
+  }));
+  return {
+    layers: [
+      { look: "measurement", x: r.k, y: r.z, label: "z" },
+      r.truth && { look: "truth", x: r.k, y: r.truth, label: "x_true" },
+      ...lines,
+    ],
+  };
+}
+
+// --- words and numbers -------------------------------------------------------------------------------------
+
+function outcome(r, s, t) {
+  const measure = (line) => (r.truth ? rmse(r.truth, line)[0] : roughness(line));
+  const measures = { z: measure(r.z), x: measure(r.lines.x), average: measure(r.lines.average) };
+  const sentences = [
+    t.say(OUTCOME.shown, { n: String(r.z.length), what: t.say(r.data.note) }),
+    t.say(OUTCOME.gain, { K: r.K, window: equal_window(r.K) }),
+    t.say(r.truth ? OUTCOME.rmse : OUTCOME.rough, measures),
+  ];
+  const isLikely = s.likely?.[0] === s.Q && s.likely[1] === s.R;
+  if (isLikely && r.z.length > LIKELIHOOD_POINTS) {
+    sentences.push(t.say(OUTCOME.cut, { n: String(LIKELIHOOD_POINTS) }));
+  }
+  return sentences.join(" ");
+}
+
+function facts(r, s, t) {
+  const behind = r.truth ? FACTS.behind_truth : FACTS.behind_smooth;
+  const head = [t.say(FACTS.method), t.say(FACTS.rough), t.say(behind)];
+  const rows = Object.entries(r.lines).map(([name, line]) => {
+    const words = name === "average" ? `${nameOf(name, t)} (${s.window})` : nameOf(name, t);
+    const values = [roughness(line), r.lags[name] ?? NaN];
+    if (r.truth) {
+      values.push(rmse(r.truth, line)[0]);
+    }
+    return [words, ...values.map((value) => t.decimal(value))];
+  });
+  return { head: r.truth ? [...head, "RMSE"] : head, rows };
+}
+
+// --- controls ----------------------------------------------------------------------------------------------
+
+/** The most likely Q and R; the likelihood starts at the first value, so the filter does, too. */
+function mostLikely(s, r) {
+  const [Q, R] = maximum_likelihood(r.z.subarray(0, LIKELIHOOD_POINTS)).map((variance) => {
+    return Number(Math.min(Math.max(variance, LEAST_VARIANCE), LARGEST_VARIANCE).toPrecision(6));
+  });
+  const first = r.z.find((value) => !Number.isNaN(value));
+  return { Q, R, x0: first, P0: R, likely: [Q, R] };
+}
+
+const signs = [
+  ["auto", CONTROLS.find_out],
+  [",", CONTROLS.comma],
+  [".", CONTROLS.point],
+];
+
+const columnChoice = {
+  kind: "select",
+  name: "column",
+  default: 0,
+  ...CONTROLS.column,
+  visible: (s, r) => isOwn(s) && r?.data.names.length > 1,
+  options: (s, r) => (r?.data.names ?? []).map((name, i) => [i, { id: name, en: name }]),
+};
+
+const newNoise = { ...CONTROLS.noise, set: (s) => ({ seed: s.seed + 1 }) };
+
+const controls = [
+  {
+    kind: "select",
+    name: "source",
+    default: "paper",
+    ...CONTROLS.source,
+    options: Object.entries(SOURCES),
+    also: settingsFor,
+  },
+  {
+    kind: "text",
+    name: "text",
+    rows: 3,
+    ...CONTROLS.text,
+    placeholder: CONTROLS.placeholder,
+    also: () => ({ source: "own", file: null, column: 0 }),
+  },
+  {
+    kind: "file",
+    name: "file",
+    ...CONTROLS.file,
+    accept: ".csv,.txt,.tsv",
+    also: () => ({ source: "own", text: null, column: 0 }),
+  },
+  { kind: "select", name: "sign", default: "auto", ...CONTROLS.sign, visible: isOwn, options: signs },
+  columnChoice,
+  { name: "Q", symbol: "Q" },
+  { name: "R", symbol: "R" },
+  { name: "P0", symbol: "P_0" },
+  { name: "x0", symbol: "x_0", field: true },
+  { name: "window", symbol: "n", max: 50 },
+  { kind: "check", name: "exponential", default: false, ...CONTROLS.exponential },
+  { kind: "check", name: "rts", default: false, ...CONTROLS.rts },
+  { kind: "buttons", visible: (s) => s.source in LOOK_ALIKES, items: [newNoise] },
+  { kind: "buttons", items: [{ ...CONTROLS.likely, set: mostLikely }, ...buttons] },
+];
+
+export const form = {
+  name: NAMES.form,
+  start: PAPER,
+  controls,
+  compute,
+  refine,
+  plots: [
+    { ...MEASUREMENTS, xlabel: "k", height: 230, draw: drawMeasurements },
+    { ...GAIN_PLOT, draw: drawGain },
+    { ...DEVIATION_PLOT, draw: drawDeviation },
+  ],
+  outcome,
+  facts,
+  numbers,
+  question,
+};

@@ -1,0 +1,164 @@
+// What both explorers of chapter 2 say.
+
+export const NAMES = {
+  form: { id: "Formulir penghalus", en: "The smoother's form" },
+  online: { id: "Filter daring", en: "The online filter" },
+};
+
+export const SOURCES = {
+  paper: { id: "16 nilai dari makalah", en: "the paper's 16 values" },
+  silkworm_room: { id: "suhu ruang ulat sutra (sintetis)", en: "temperature of a silkworm room (synthetic)" },
+  cutting_force: {
+    id: "gaya potong pelepah sawit (sintetis)",
+    en: "cutting force of oil-palm frond (synthetic)",
+  },
+  tank_level: { id: "muka air tangki ikan (sintetis)", en: "water level of a fish tank (synthetic)" },
+  nile: { id: "debit Sungai Nil 1871–1970 (nyata)", en: "flow of the Nile 1871–1970 (real)" },
+  own: { id: "data sendiri", en: "data of my own" },
+};
+
+export const MEASURED_NAME = { id: "Terukur", en: "Measured" };
+
+export const NO_DATA_YET = {
+  id: "belum ada data sendiri, jadi masih 16 nilai dari makalah.",
+  en: "none of your own yet, so still the paper's 16 values.",
+};
+
+/** The lines of the first figure: their names in tables, and their labels in the figure. */
+export const LINES = {
+  x: { id: "Filter Kalman", en: "Kalman filter" },
+  average: { id: "Rataan bergerak", en: "Moving average" },
+  exponential: { id: "Penghalusan eksponensial", en: "Exponential smoothing" },
+  smooth: { id: "Penghalus RTS", en: "RTS smoother" },
+};
+
+export const LABELS = {
+  exponential: { id: "eksponensial", en: "exponential" },
+  steady: { id: "tunak", en: "steady" },
+};
+
+export const OUTCOME = {
+  shown: { id: "N = {n}. Data yang ditampilkan: {what}", en: "N = {n}. Data shown: {what}" },
+  gain: {
+    id: "Penguatan menetap pada K = {K}: derau diredam seperti oleh rataan bergerak {window} data.",
+    en: "The gain settles at K = {K}: noise is suppressed as by a moving average of {window} values.",
+  },
+  rmse: {
+    id: "RMSE-nya {x}, rataan bergerak {average}, pengukuran sendiri {z}.",
+    en: "Its RMSE is {x}, that of the moving average {average}, of the measurements themselves {z}.",
+  },
+  rough: {
+    id:
+      "Langkah antarnilai bersimpangan baku {z} pada data, {x} sesudah filter, " +
+      "dan {average} pada rataan bergerak.",
+    en:
+      "The steps between values have a standard deviation of {z} in the data, {x} after the filter, " +
+      "{average} in the moving average.",
+  },
+  cut: { id: "Q dan R dicari dari {n} nilai pertama.", en: "Q and R were found from the first {n} values." },
+};
+
+export const FACTS = {
+  method: { id: "Cara", en: "Method" },
+  rough: { id: "Kasar: σ tiap langkah", en: "Rough: σ of the steps" },
+  behind_truth: { id: "Lambat dari nilai sebenarnya (sampel)", en: "Lag behind the truth (samples)" },
+  behind_smooth: { id: "Lambat dari RTS (sampel)", en: "Lag behind RTS (samples)" },
+};
+
+export const TEXT_HEAD = {
+  measured: { id: "Terukur", en: "Measured" },
+  filtered: { id: "Hasil filter", en: "Filtered" },
+};
+
+export const CONTROLS = {
+  source: { id: "Data", en: "Which data" },
+  text: {
+    id: "Data sendiri: tempelkan satu kolom dari lembar kerja. Data tidak meninggalkan perangkat ini.",
+    en: "Data of my own: paste a column from a spreadsheet. Nothing leaves this device.",
+  },
+  placeholder: { id: "Suhu\n25,1\n25,3", en: "Temperature\n25.1\n25.3" },
+  file: { id: "atau pilih berkas CSV", en: "or choose a CSV file" },
+  sign: { id: "Tanda desimal", en: "Decimal sign" },
+  find_out: { id: "kenali sendiri", en: "find out" },
+  comma: { id: "koma (1,5)", en: "comma (1,5)" },
+  point: { id: "titik", en: "point (1.5)" },
+  column: { id: "Kolom", en: "Column" },
+  exponential: {
+    id: "penghalusan eksponensial dengan penguatan tunak",
+    en: "exponential smoothing with the steady gain",
+  },
+  rts: { id: "penghalus maju-mundur (RTS)", en: "forward-backward smoother (RTS)" },
+  noise: { id: "Derau baru", en: "New noise" },
+  likely: { id: "Q dan R paling mungkin", en: "Most likely Q and R" },
+  copy: { id: "Salin hasilnya", en: "Copy the result" },
+  csv: { id: "Unduh CSV", en: "Download CSV" },
+  excel: { id: "Unduh Excel dengan rumus hidup", en: "Download Excel with live formulas" },
+};
+
+export const MEASUREMENTS = {
+  title: { id: "Terukur dan dihaluskan", en: "Measured and smoothed" },
+  alt: {
+    id: "Grafik titik pengukuran, garis hasil filter, dan garis rataan bergerak.",
+    en: "Plot of the measured dots, the filtered line and the moving average.",
+  },
+};
+
+export const GAIN = {
+  title: { id: "Penguatan K", en: "Gain K" },
+  alt: {
+    id: "Grafik penguatan terhadap nomor data dan nilainya pada keadaan tunak.",
+    en: "Plot of the gain against the number of the value, and its steady value.",
+  },
+};
+
+export const DEVIATION = {
+  title: "√P",
+  alt: {
+    id: "Grafik simpangan baku menurut filter terhadap nomor data.",
+    en: "Plot of the standard deviation as the filter states it against the number of the value.",
+  },
+};
+
+// --- one measurement at a time -----------------------------------------------------------------------------
+
+export const ARRIVED = {
+  none: {
+    id: "Belum ada pengukuran. Isilah satu bilangan atau jalankan aliran sintetis.",
+    en: "No measurement yet. Enter a number or play the synthetic stream.",
+  },
+  one: {
+    id:
+      "Pengukuran ke-{k}, z = {z} ({origin}): dengan K = {K} estimasi berubah dari {pred} menjadi {x}; " +
+      "simpangan bakunya √P = {root}.",
+    en:
+      "Measurement {k}, z = {z} ({origin}): with K = {K} the estimate goes from {pred} to {x}; " +
+      "its standard deviation is √P = {root}.",
+  },
+  gap: {
+    id: "Pengukuran ke-{k} tidak datang: estimasi tetap {x}, dan √P tumbuh menjadi {root}.",
+    en: "Measurement {k} did not arrive: the estimate stays {x}, and √P grows to {root}.",
+  },
+  typed: { id: "diketik", en: "typed" },
+  stream: { id: "aliran sintetis, benih acak {seed}", en: "synthetic stream, random seed {seed}" },
+};
+
+export const ONLINE_CONTROLS = {
+  entry: { id: "Pengukuran baru", en: "New measurement" },
+  add: { id: "Tambahkan", en: "Add" },
+  missing: { id: "Tidak datang", en: "It does not arrive" },
+  drop: { id: "Buang yang terakhir", en: "Drop the last one" },
+  clear: { id: "Kosongkan", en: "Clear" },
+  play: { id: "Jalankan aliran", en: "Play the stream" },
+  arrived: {
+    id: "data dari aliran sintetis (suhu ruang ulat sutra); yang diketik menyusul",
+    en: "values from the synthetic stream (silkworm room); typed ones follow",
+  },
+};
+
+export const ARRIVALS = {
+  title: { id: "Pengukuran yang sudah datang", en: "What has arrived" },
+  alt: {
+    id: "Grafik titik pengukuran yang sudah datang dan garis estimasi dengan pita.",
+    en: "Plot of the measurements that have arrived and the estimated line with its band.",
+  },
+};

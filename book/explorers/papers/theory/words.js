@@ -1,0 +1,77 @@
+// What the explorer of chapter 1 says.
+
+export const NAME = { id: "Filter selangkah demi selangkah", en: "The filter, one step at a time" };
+
+/** By the kind of a moment: start, prediction, update. */
+export const TITLES = [
+  { id: "Awal.", en: "Start." },
+  { id: "Langkah {k} dari {of}: prediksi.", en: "Step {k} of {of}: prediction." },
+  { id: "Langkah {k} dari {of}: pembaruan.", en: "Step {k} of {of}: update." },
+];
+
+/** By the kind of a moment, too. */
+export const TEXTS = [
+  {
+    id:
+      "Sebelum pengukuran pertama, mobil diperkirakan berada di {x} m dengan kecepatan {v} m/s; " +
+      "simpangan bakunya {sx} m dan {sv} m/s.",
+    en:
+      "Before the first measurement the car is believed to be at {x} m with a velocity of {v} m/s; " +
+      "the standard deviations are {sx} m and {sv} m/s.",
+  },
+  {
+    id:
+      "{dt} s kemudian mobil diperkirakan berada di {x} m dengan kecepatan {v} m/s. " +
+      "Simpangan baku posisi berubah dari {before} m menjadi {sx} m.",
+    en:
+      "{dt} s later the car is expected at {x} m with a velocity of {v} m/s. " +
+      "The standard deviation of the position goes from {before} m to {sx} m.",
+  },
+  {
+    id:
+      "K = {K}: {percent} % dari selisih {y} m antara pengukuran dan prediksi diterima. " +
+      "Simpangan baku posisi berubah dari {before} m menjadi {sx} m. {origin}",
+    en:
+      "K = {K}: {percent} % of the difference of {y} m between measurement and prediction is accepted. " +
+      "The standard deviation of the position goes from {before} m to {sx} m. {origin}",
+  },
+];
+
+export const ORIGINS = {
+  source: { id: "Pengukuran ini dari contoh pada sumber.", en: "This measurement comes from the source." },
+  synthetic: {
+    id: "Pengukuran ini sintetis (benih acak {seed}).",
+    en: "This measurement is synthetic (random seed {seed}).",
+  },
+  yours: { id: "Pengukuran ini pilihan Anda.", en: "This measurement is your choice." },
+};
+
+export const CONTROLS = {
+  previous: { id: "Sebelumnya", en: "Previous" },
+  next: { id: "Berikutnya", en: "Next" },
+  moment: { id: "saat: awal, prediksi, pembaruan, ...", en: "moment: start, prediction, update, ..." },
+  measured: { id: "posisi terukur", en: "measured position" },
+  example: { id: "Contoh", en: "Example" },
+  worked: { id: "contoh pada sumber", en: "the worked example" },
+  own: { id: "contoh sendiri", en: "an example of my own" },
+};
+
+export const PLANE = {
+  title: { id: "Posisi dan kecepatan (m/s)", en: "Position and velocity (m/s)" },
+  alt: {
+    id:
+      "Elips kovarians (dua simpangan baku) di bidang posisi dan kecepatan, " +
+      "sebelum dan sesudah langkah ini.",
+    en:
+      "Covariance ellipses (two standard deviations) in the plane of position and velocity, " +
+      "before and after this step.",
+  },
+};
+
+export const BELLS = {
+  title: { id: "Posisi saja", en: "The position alone" },
+  alt: {
+    id: "Kurva lonceng posisi: prediksi, pengukuran, dan estimasi.",
+    en: "Bell curves of the position: prediction, measurement and estimate.",
+  },
+};

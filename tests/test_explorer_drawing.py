@@ -1,0 +1,37 @@
+"""The figures of the explorers are painted by a second thread, and look the same without it."""
+
+import pytest
+
+from explorer_helpers import pages_with_explorers, shown
+
+
+@pytest.mark.parametrize("scheme", ["http", "file"])
+def test_the_picture_is_the_same_without_a_second_thread(scheme, site, server, chromium):
+    base, drawn = {"http": server, "file": site.as_uri()}[scheme], {}
+    for threads in (True, False):
+        context = chromium.new_context(
+            viewport={"width": 1280, "height": 900}, service_workers="block", color_scheme="light"
+        )
+        if not threads:
+            context.add_init_script("delete window.Worker")
+        page = context.new_page()
+        page.goto(f"{base}/{pages_with_explorers(site, 'en')[0].relative_to(site).as_posix()}")
+        element = page.locator("kalman-explorer").first
+        element.scroll_into_view_if_needed()
+        page.evaluate("document.fonts.ready.then(() => true)")
+        shown(element)
+        element.evaluate("async e => { e.explorer.draw(true); await e.explorer.painted(); }")
+        drawn[threads] = element.evaluate("""e => [...e.querySelectorAll('canvas')].map(canvas => {
+          const copy = Object.assign(document.createElement('canvas'), { width: canvas.width,
+            height: canvas.height }).getContext('2d');
+          copy.drawImage(canvas, 0, 0);
+          return copy.getImageData(0, 0, canvas.width, canvas.height).data.filter((value, i) =>
+            i % 4 === 3 && value > 0).length;
+        })""")
+        refused = element.evaluate(
+            """e => { try { return e.querySelector('canvas').getContext('2d') === null; } catch {
+            return true; } }"""
+        )
+        assert refused == threads  # a canvas that was handed over has no context in the page
+        context.close()
+    assert min(drawn[True]) > 1000 and drawn[True] == pytest.approx(drawn[False], rel=0.02)

@@ -1,0 +1,44 @@
+"""Chapter 3 in the page: the map of a wrong sigma."""
+
+import re
+
+import numpy as np
+import pytest
+
+from explorer_helpers import RELATIVE, explorer_of, set_state, shown
+from kalman_lib.papers import gyro
+
+
+@pytest.mark.parametrize(
+    "changes", [{}, {"sigma_w": 0.3, "sigma_v": 2.0, "T": 0.02, "duration": 5.0}]
+)
+def test_gyro_the_map_of_a_wrong_sigma_is_pythons(changes, site, opened):
+    """Every cell of both maps; the chosen pair; and 500 runs of the page stay near it."""
+    page, *_ = explorer_of("gyro", site, opened, "en")
+    element = page.locator("kalman-explorer[view=mismatch]")
+    set_state(element, **changes, times_w=3, times_v=0.25)
+    page.wait_for_function(
+        "e => e.explorer.r.runs.count === 500 && !e.explorer.work", arg=element.element_handle()
+    )
+    shown(element)
+    ours = element.evaluate("""e => {
+      const { cost, nees, best, wrong, runs } = e.explorer.r;
+      const places = [...Array(31).keys()].map(i => i - 15);
+      return { best, wrong, runs: runs.count, cost: places.map(j => places.map(i => cost(i, j))),
+        nees: places.map(j => places.map(i => nees(i, j))) }; }""")
+    p, times = gyro.Params(**changes), 10 ** (np.arange(-15, 16) / 15)
+    rmse_, nees_ = gyro.expected(p, times * p.sigma_w, times[:, np.newaxis] * p.sigma_v)
+    assert np.allclose(np.array(ours["cost"]) * ours["best"], rmse_, rtol=RELATIVE) and np.allclose(
+        ours["nees"], nees_, rtol=RELATIVE
+    )
+    wrong = gyro.expected(p, 3 * p.sigma_w, 0.25 * p.sigma_v)
+    assert ours["wrong"] == pytest.approx(wrong, rel=RELATIVE) and ours["runs"] == 500
+    said = [
+        float(word)
+        for word in re.findall(
+            r"runs.*RMSE ([\d.]+) rad, NEES ([\d.]+)\.$",
+            element.locator(".explorer-outcome").inner_text(),
+        )[0]
+    ]
+    assert said == [pytest.approx(expected, rel=0.03) for expected in wrong]
+    element.evaluate("e => e.explorer.reset()")
