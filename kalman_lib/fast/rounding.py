@@ -32,10 +32,14 @@ def too_much(s, P):
 
 def memory(s, P):
     """How many steps an error lives in a filter that has come to P."""
+    return steps_alive(s.F - gain_after(s, P) @ s.H @ s.F, len(s.z))
+
+
+def gain_after(s, P):
+    """The gain K of the step after P."""
     P_pred = s.F @ P @ s.F.T + s.Q
     S = s.H @ P_pred @ s.H.T + (s.R if s.R.ndim == 2 else s.R[-1])
-    K = np.linalg.solve(S, s.H @ P_pred).T
-    return steps_alive(s.F - K @ s.H @ s.F, len(s.z))
+    return np.linalg.solve(S, s.H @ P_pred).T
 
 
 def steps_alive(A, T):
@@ -65,10 +69,12 @@ def _squares(A):
     return (A[:, :, np.newaxis] * A[:, np.newaxis, :]).reshape(len(A), A.shape[1] ** 2)
 
 
-def near(s, x, y):
-    """Are the data near enough to zero? Largest values: x (n,) of the states, y (m,) of the innovations.
+def near(s, x, y, P):
+    """Are the data near enough to zero? Largest values: x (n,) of the states, y (m,) of the innovations; P the last.
 
     z = 1e6 + a little has lost six digits before the filter begins, and every form of it loses others.
     """
     size = np.abs(s.H) @ np.maximum(x, np.abs(s.x0))
-    return bool((size <= FAR * y).all() and (np.abs(s.F) @ np.abs(s.x0) <= FAR * x).all())
+    told = np.abs(gain_after(s, P)) @ size      # to the states, by the rounding of z
+    started = np.abs(s.F) @ np.abs(s.x0)
+    return bool((size <= FAR * y).all() and (told <= FAR * x).all() and (started <= FAR * x).all())
