@@ -3,6 +3,7 @@ import functools
 import http.server
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -70,3 +71,19 @@ def server(site):
         threading.Thread(target=httpd.serve_forever, daemon=True).start()
         yield f"http://127.0.0.1:{httpd.server_port}"
         httpd.shutdown()
+
+
+@pytest.fixture
+def flag(tmp_path):
+    """The file that makes the accident of accident.py happen, as long as it exists."""
+    path = tmp_path / "flag"
+    path.touch()
+    return path
+
+
+@pytest.fixture
+def usual_ctrl_c():
+    """Ctrl+C as it is at a keyboard: what a shell runs in the background does not get it."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
