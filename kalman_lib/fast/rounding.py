@@ -75,6 +75,6 @@ def near(s, x, y, P):
     z = 1e6 + a little has lost six digits before the filter begins, and every form of it loses others.
     """
     size = np.abs(s.H) @ np.maximum(x, np.abs(s.x0))
-    told = np.abs(gain_after(s, P)) @ size      # to the states, by the rounding of z
+    told = np.abs(gain_after(s, P)) @ size * np.sqrt(memory(s, P))      # to the states, by the rounding of z
     started = np.abs(s.F) @ np.abs(s.x0)
     return bool((size <= FAR * y).all() and (told <= FAR * x).all() and (started <= FAR * x).all())
