@@ -8,7 +8,7 @@ import numpy as np
 from .scan import radius
 
 LOST = 100              # rounding errors that may add up: two digits
-FAR = 500               # times that z may be larger than the innovations, and x0 than x
+FAR = 1000              # times that z may be larger than the innovations, and x0 than x: three digits
 ALIKE = 0.02            # the smallest eigenvalue of correlations whose inverse keeps its digits
 
 
@@ -69,12 +69,12 @@ def _squares(A):
     return (A[:, :, np.newaxis] * A[:, np.newaxis, :]).reshape(len(A), A.shape[1] ** 2)
 
 
-def near(s, x, y, P):
-    """Are the data near enough to zero? Largest values: x (n,) of the states, y (m,) of the innovations; P the last.
+def near(s, largest, usual, y, P):
+    """Are the data near enough to zero? largest and usual (n,): |x| of the states, y (m,): usual |innovations|, P: the last.
 
     z = 1e6 + a little has lost six digits before the filter begins, and every form of it loses others.
     """
-    size = np.abs(s.H) @ np.maximum(x, np.abs(s.x0))
+    size = np.abs(s.H) @ np.maximum(largest, np.abs(s.x0))
     told = np.abs(gain_after(s, P)) @ size * np.sqrt(memory(s, P))      # to the states, by the rounding of z
     started = np.abs(s.F) @ np.abs(s.x0)
-    return bool((size <= FAR * y).all() and (told <= FAR * x).all() and (started <= FAR * x).all())
+    return bool((size <= FAR * y).all() and (told <= FAR * usual).all() and (started <= FAR * usual).all())

@@ -33,9 +33,10 @@ def filter_runs(s):
     steps(I_KH @ s.F, gains.K, s.z, drive, s.x0[:, np.newaxis], x)
     if not np.isfinite(x[-1]).all():
         return None                             # a NaN in z would still be there
-    largest = np.abs(x[MANY - 1::MANY]).max(axis=(0, 2), initial=0)
-    S = np.sqrt(np.einsum("kii->ki", gains.S)).max(axis=0)
-    return result_of(gains, x) if rounding.near(s, largest, S, gains.P[-1]) else None
+    largest = np.abs(x[::MANY]).max(axis=(0, 2))
+    y = np.sqrt(np.diag(gains.S[-1]))
+    near = rounding.near(s, largest, np.abs(x[-1]).mean(axis=1), y, gains.P[-1])
+    return result_of(gains, x) if near else None
 
 
 @np.errstate(over="ignore", invalid="ignore")   # who calls looks at the end

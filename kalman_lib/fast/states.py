@@ -29,9 +29,9 @@ def filter_series(s):
     if len(s.H) > 1 and not rounding.well_conditioned(gains.S):
         return None
     result = result_of(gains, x)
-    innovations = np.abs(result.y)
-    np.nan_to_num(innovations, copy=False)
-    near = rounding.near(s, np.abs(x).max(axis=0), innovations.max(axis=0), gains.P[-1])
+    size = np.abs(x)
+    y = np.nanmedian(np.abs(result.y), axis=0) if s.varies else np.median(np.abs(result.y), axis=0)
+    near = rounding.near(s, size.max(axis=0), np.median(size, axis=0), y, gains.P[-1])
     return result if near else None
 
 
