@@ -30,8 +30,9 @@ def filter_series(s):
         return None
     result = result_of(gains, x)
     size = np.abs(x)
-    y = np.nanmedian(np.abs(result.y), axis=0) if s.varies else np.median(np.abs(result.y), axis=0)
-    near = rounding.near(s, size.max(axis=0), np.median(size, axis=0), y, gains.P[-1])
+    y = np.abs(result.y)
+    usual_y = rounding.usual(y) if s.silent is None else np.nanmedian(y, axis=0)
+    near = rounding.near(s, size.max(axis=0), rounding.usual(size), usual_y, gains.P[-1])
     return result if near else None
 
 
