@@ -32,7 +32,7 @@ def log_likelihood(result):
     """
     y, S = np.asarray(result.y), np.asarray(result.S)
     many = y.ndim == 3
-    if not many and result.H is not None and _almost_singular(S):
+    if not many and getattr(result, "H", None) is not None and _almost_singular(S):
         return _sensor_by_sensor(result)
     y = np.moveaxis(y, 2, 1) if many else y[:, np.newaxis]                   # (T, runs, m)
     S = np.moveaxis(S, 3, 1) if S.ndim == 4 else S[:, np.newaxis]
