@@ -175,9 +175,9 @@ def write_zip(language, path):
 
 def write_workbook(path):
     """The workbook that chapter 2 offers: the paper's table, as in its own cell."""
-    from kalman_lib import spreadsheet
+    from kalman_lib import data
     from kalman_lib.papers import smoother
-    spreadsheet.write_workbook(path, smoother.MEASURED, Q=1e-5, R=1e-5, x0=0, P0=1)
+    data.write_workbook(path, smoother.MEASURED, Q=1e-5, R=1e-5, x0=0, P0=1)
 
 
 def write_offline_worker(language, folder, version):

@@ -9,7 +9,7 @@ import numpy as np
 
 import kalman_lib.papers
 from conftest import ROOT
-from kalman_lib.spreadsheet import InputError
+from kalman_lib.data import InputError
 
 SOURCES = ROOT / "book" / "explorers"
 PAPERS = sorted(module.name for module in pkgutil.iter_modules(kalman_lib.papers.__path__))

@@ -8,7 +8,7 @@ import pytest
 
 import test_spreadsheet
 from explorer_helpers import as_in_python, javascript
-from kalman_lib.spreadsheet import read_file, read_text
+from kalman_lib.data import read_file, read_text
 
 
 def cases(test):

@@ -10,7 +10,7 @@ from openpyxl import load_workbook
 from explorer_helpers import as_in_python, estimates, javascript, paste, picture, shown
 from kalman_lib import kalman_filter, rts_smooth
 from kalman_lib.papers import smoother
-from kalman_lib.spreadsheet import read_text
+from kalman_lib.data import read_text
 
 nan = np.nan
 

@@ -9,7 +9,7 @@ from openpyxl import load_workbook
 import test_spreadsheet
 from explorer_helpers import javascript
 from kalman_lib import LinearModel, kalman_filter, rts_smooth
-from kalman_lib.spreadsheet import write_workbook
+from kalman_lib.data import write_workbook
 
 nan = np.nan
 

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from openpyxl import Workbook
 
-from kalman_lib.recording import AXES, Recording, read_recording, read_ximu, rest_seconds
-from kalman_lib.spreadsheet import InputError
+from kalman_lib.data import InputError, Recording, read_recording, read_ximu, rest_seconds
+from kalman_lib.data.recording import AXES
 
 XIMU = Path(__file__).resolve().parent.parent / "notebooks" / "data" / "ximu.csv.gz"
 G = 9.80665

@@ -14,7 +14,10 @@ from openpyxl.formula.translate import Translator
 
 from kalman_lib import LinearModel, kalman_filter, rts_smooth
 from kalman_lib.papers import smoother
-from kalman_lib.spreadsheet import FIRST, MAX_READ, MAX_WRITE, InputError, read_file, read_text, write_workbook
+from kalman_lib.data import InputError, read_file, read_text, write_workbook
+from kalman_lib.data.table import MAX_READ
+from kalman_lib.data.workbook import MAX_WRITE
+from kalman_lib.data.workbook_parts import FIRST
 
 nan = np.nan
 
