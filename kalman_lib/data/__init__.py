@@ -1,8 +1,8 @@
 """Readers' files: tables and recordings in, workbooks out. Imports nothing else of ours.
 
-A table (one column of time, some of numbers) goes through `read_text` or `read_file`, the sensors of a
-phone through `read_recording`. What cannot be understood raises InputError, one sentence in each
-language; what was assumed or left out is told in the result.
+A table (one column of time, some of numbers) goes through `read_text` or `read_file`, the sensors
+of a phone through `read_recording`. What cannot be understood raises InputError, one sentence in
+each language; what was assumed or left out is told in the result.
 
     errors.py       InputError
     cells.py        one cell: a number, a gap, or neither
@@ -11,7 +11,7 @@ language; what was assumed or left out is told in the result.
     table.py        Table, read_text, read_file, read_sheets
     workbook.py     write_workbook; how it looks: workbook_parts.py, what it says: workbook_words.py
 
-    recording.py    Recording, read_recording, rest_seconds; the files below serve it, in this order:
+    recording.py    Recording, read_recording, rest_seconds; served by these, in this order:
     archives.py     files, folders and archives -> tables
     csvs.py         a table -> Sheet, numbers under headers
     columns.py      a header -> which sensor, axis and unit

@@ -37,7 +37,8 @@ def _angles(q):
 
 
 def tilt_against(angles, acc):
-    """The median angle, degrees, between the vertical that angles (N, 3) claim and that of acc (N, 3)."""
+    """The median angle, degrees, between the vertical that angles (N, 3) claim and that of acc (N,
+    3)."""
     roll, pitch, _ = angles.T
     up = np.column_stack([
         np.sin(pitch),

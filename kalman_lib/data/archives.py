@@ -45,9 +45,7 @@ def _read_paths(paths):
     found = []
     for path in map(Path, paths):
         if not path.exists():
-            raise InputError(
-                f"There is no file {str(path)!r}.", f"Tidak ada berkas {str(path)!r}."
-            )
+            raise InputError(f"There is no file {str(path)!r}.", f"Tidak ada berkas {str(path)!r}.")
         found += sorted(path.rglob("*")) if path.is_dir() else [path]
     found = [path for path in found if path.is_file() and path.suffix.lower() in READABLE]
     _check_size(sum(path.stat().st_size for path in found))

@@ -27,7 +27,8 @@ def is_number(cell):
 
 
 def to_number(cell, decimal):
-    """The number in a cell, NaN for a gap, None for anything else; decimal: its sign, "," or "."."""
+    """The number in a cell, NaN for a gap, None for anything else; decimal: its sign, "," or
+    "."."""
     if isinstance(cell, float):
         return cell
     text = cell.translate(PLAIN_MINUS)

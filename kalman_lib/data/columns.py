@@ -39,9 +39,8 @@ PLAIN_NAMES = ("g", "gyr", "a", "acc", "m", "mag")  # of a plain CSV: gx, ax, mx
 class Column(NamedTuple):
     """What the header of a column says.
 
-    kind: "time"; "gyr", "acc" or "mag"; "unknown": a sensor whose unit we do not know; "logger": a bare x, y
-    or z; None: no sensor.
-    """
+    kind: "time"; "gyr", "acc" or "mag"; "unknown": a sensor whose unit we do not know; "logger": a
+    bare x, y or z; None: no sensor."""
 
     name: str
     axis: str | None
@@ -83,5 +82,6 @@ def _kind_by_name(name):
 
 
 def is_wanted(header):
-    """Does the column below this header belong to a sensor, to its times or to a device's angles?"""
+    """Does the column below this header belong to a sensor, to its times or to a device's
+    angles?"""
     return bool(read_header(header).kind) or header in ("roll", "pitch", "yaw")

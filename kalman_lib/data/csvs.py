@@ -23,7 +23,8 @@ LOOKED_AT = 5000  # characters in which a quoted decimal comma shows itself
 
 
 class Sheet(NamedTuple):
-    """A table: values (T, columns), NaN where a cell is empty; place and lines (T,) are for messages."""
+    """A table: values (T, columns), NaN where a cell is empty; place and lines (T,) are for
+    messages."""
 
     place: str
     names: list

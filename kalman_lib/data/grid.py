@@ -1,8 +1,7 @@
 """Text in, grid out: finds what separates the columns.
 
-A grid is a list of (line, cells): the number of the line in the source and its cells as text; a blank
-line has no cells.
-"""
+A grid is a list of (line, cells): the number of the line in the source and its cells as text; a
+blank line has no cells."""
 
 import csv
 import io
@@ -38,7 +37,8 @@ def _encodings(content):
 
 
 def split(text, decimal):
-    """A text -> its grid, and a remark (en, id) on how it was understood, NO_REMARK where that is plain.
+    """A text -> its grid, and a remark (en, id) on how it was understood, NO_REMARK where that is
+    plain.
 
     decimal: the decimal sign, "," or "."; None: not known.
     """
@@ -71,7 +71,8 @@ def _split_at_commas(text, decimal):
 
 
 def _read_as_decimals(whole):
-    """The remark that the commas were taken for decimal ones; InputError where that is not certain."""
+    """The remark that the commas were taken for decimal ones; InputError where that is not
+    certain."""
     line, cell = next((line, cell) for line, cells in whole for cell in cells if "," in cell)
     if any(to_number(other, ",") is None for other in _all_cells(whole)):
         raise InputError(

@@ -2,9 +2,9 @@
 Recording out.
 
 The body frame is forward-right-down (FRD). A phone's own axes are x to the right edge, y to the top
-edge and z out of the screen; so forward = y, right = x, down = -z. The accelerometer measures specific
-force: at rest it points up. Whatever was converted, resampled or left out is told in Recording.notes.
-"""
+edge and z out of the screen; so forward = y, right = x, down = -z. The accelerometer measures
+specific force: at rest it points up. Whatever was converted, resampled or left out is told in
+Recording.notes."""
 
 import csv
 import io
@@ -32,7 +32,9 @@ AXES = {  # body axis = row times sensor axis
     "flu": np.diag([1, -1, -1]),
     "frd": np.eye(3, dtype=int),
 }
-MOST_TILT = 10  # degrees: if gravity differs more from the app's orientation, that means something else
+MOST_TILT = (
+    10  # degrees: if gravity differs more from the app's orientation, that means something else
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,50 +63,68 @@ def read_recording(files, axes=None):
     """Files of one recording -> Recording.
 
     files   {name: bytes}, or a path (file, .zip or folder), or a list of paths. Understood are
-            phyphox        CSV, .zip of CSVs or .xlsx; headers such as "Gyroscope x (rad/s)", in any language
-            Sensor Logger  .zip or its CSVs: Gyroscope, TotalAcceleration (or Accelerometer and Gravity),
-                           Magnetometer, Orientation, Metadata
+            phyphox        CSV, .zip of CSVs or .xlsx; headers such as "Gyroscope x (rad/s)", in
+                           any language
+            Sensor Logger  .zip or its CSVs: Gyroscope, TotalAcceleration (or Accelerometer and
+                           Gravity), Magnetometer, Orientation, Metadata
             a plain CSV    "t (s), gx (deg/s), gy .., ax (g), .., mx (uT), .."; the unit decides
-    axes    the sensors' own axes: "phone", "flu" (forward-left-up) or "frd"; None: "phone" for the apps,
-            "frd" for a plain CSV
+    axes    the sensors' own axes: "phone", "flu" (forward-left-up) or "frd"; None: "phone" for the
+            apps, "frd" for a plain CSV
 
-    Everything is interpolated linearly to the times of the gyroscope, over the time that all sensors cover.
+    Everything is interpolated linearly to the times of the gyroscope, over the time that all
+    sensors cover.
 
-    InputError: a sensor is missing, a unit is unknown or cannot be right, a cell is no number, times do not
-    increase, sensors do not overlap in time, or a file is empty, too large or of another kind.
+    InputError: a sensor is missing, a unit is unknown or cannot be right, a cell is no number,
+    times do not increase, sensors do not overlap in time, or a file is empty, too large or of
+    another kind.
     """
-    if axes not in (None, *AXES):
-        known = list(AXES)
-        raise ValueError(f"axes must be None or one of {known}. / axes harus None atau salah satu dari itu.")
     notes = []
+    _check_axes(axes)
     signals, device = _signals_and_device(open_files(files), notes)
     total_acceleration(signals, device, notes)
     check_magnitudes(signals["gyr"], signals["acc"])
-    if axes is None:
-        axes = _usual_axes(signals, notes)
-    en, id = AXES_NAMES[axes]
-    say(notes, f"Axes taken: {en}.", f"Sumbu yang dipakai: {id}.")
+    axes = axes or _usual_axes(signals, notes)
+    _tell_axes(axes, notes)
     t, columns = resample(signals, notes)
-    turn = AXES[axes].T
-    gyr, acc = columns["gyr"] @ turn, columns["acc"] @ turn
-    mag = columns["mag"] @ turn if "mag" in columns else None
+    gyr, acc, mag = (_turned(columns.get(kind), axes) for kind in ("gyr", "acc", "mag"))
     if mag is None:
-        say(
-            notes,
-            "There is no magnetometer; the heading can only be followed, not measured.",
-            "Tidak ada magnetometer; arah hadap hanya dapat diikuti, tidak terukur.",
-        )
-    reference = None
-    if "orientation" in columns:
-        is_sure = axes == "phone" and not is_apple(device)
-        reference = _phone_reference(columns["orientation"], acc, is_sure, notes)
+        _tell_silent_compass(notes)
+    is_sure = axes == "phone" and not is_apple(device)
+    reference = _phone_reference(columns.get("orientation"), acc, is_sure, notes)
     recording = Recording(t - t[0], gyr, acc, mag, rate_of(t), notes, reference)
     _tell_rest(recording)
     return recording
 
 
+def _check_axes(axes):
+    if axes not in (None, *AXES):
+        known = list(AXES)
+        raise ValueError(
+            f"axes must be None or one of {known}. / axes harus None atau salah satu dari itu."
+        )
+
+
+def _turned(values, axes):
+    """Values (N, 3) in the sensor's axes -> in the body frame; None stays None."""
+    return None if values is None else values @ AXES[axes].T
+
+
+def _tell_axes(axes, notes):
+    en, id = AXES_NAMES[axes]
+    say(notes, f"Axes taken: {en}.", f"Sumbu yang dipakai: {id}.")
+
+
+def _tell_silent_compass(notes):
+    say(
+        notes,
+        "There is no magnetometer; the heading can only be followed, not measured.",
+        "Tidak ada magnetometer; arah hadap hanya dapat diikuti, tidak terukur.",
+    )
+
+
 def _signals_and_device(tables, notes):
-    """{name: bytes} -> {kind: Signal} and what Metadata.csv of Sensor Logger tells of the device."""
+    """{name: bytes} -> {kind: Signal} and what Metadata.csv of Sensor Logger tells of the
+    device."""
     signals, device = {}, {}
     for name, content in tables.items():
         if Path(name).stem.lower() == "metadata":
@@ -135,9 +155,10 @@ def _usual_axes(signals, notes):
 def _phone_reference(angles, acc, is_sure, notes):
     """Sensor Logger's roll, pitch, yaw (N, 3) rad -> ours, or None if their meaning is not certain.
 
-    On Android they are those of SensorManager.getOrientation (COORDINATES.md): yaw and roll as ours,
-    pitch turned.
-    """
+    On Android they are those of SensorManager.getOrientation (COORDINATES.md): yaw and roll as
+    ours, pitch turned."""
+    if angles is None:
+        return None
     angles = angles * [1, -1, 1]
     tilt = tilt_against(angles, acc)
     if is_sure and tilt <= MOST_TILT:
@@ -165,12 +186,12 @@ def _phone_reference(angles, acc, is_sure, notes):
 
 
 def rest_seconds(recording, window=0.25):
-    """Seconds of rest at the start of a Recording, a multiple of the window; 0.0 if it does not begin at rest.
+    """Seconds of rest at the start of a Recording, a multiple of the window; 0.0 if it does not
+    begin at rest.
 
     At rest every gyroscope axis spreads by less than 0.06 rad/s and turns by less than 0.2 rad/s on
-    average, every accelerometer axis spreads by less than 0.5 m/s2 and stays within 0.5 m/s2 of its first
-    mean.
-    """
+    average, every accelerometer axis spreads by less than 0.5 m/s2 and stays within 0.5 m/s2 of its
+    first mean."""
     size = max(int(round(window * recording.rate)), 2)
     count = len(recording.t) // size
     if count == 0:
@@ -198,6 +219,8 @@ def _tell_rest(recording):
     else:
         say(
             recording.notes,
-            "The recording does not begin at rest; let the device lie still for some seconds first.",
-            "Rekaman tidak dimulai dalam keadaan diam; biarkan alat diam beberapa detik lebih dahulu.",
+            "The recording does not begin at rest; let the device lie still for some seconds "
+            "first.",
+            "Rekaman tidak dimulai dalam keadaan diam; biarkan alat diam beberapa detik lebih "
+            "dahulu.",
         )

@@ -1,4 +1,5 @@
-"""Do the signals of a recording make sense? An accelerometer with gravity in it is needed, and a gyroscope."""
+"""Do the signals of a recording make sense? An accelerometer with gravity in it is needed, and a
+gyroscope."""
 
 import numpy as np
 
@@ -22,8 +23,9 @@ def total_acceleration(signals, device, notes):
         )
     _check_presence(signals)
     acc = signals["acc"]
-    # Sensor Logger on iOS turns the sign, unless "Standardise Units & Frames" is on (its COORDINATES.md
-    # and CROSSPLATFORM.md); phyphox on iOS multiplies by -9.81 (its ExperimentSensorInput.swift)
+    # Sensor Logger on iOS turns the sign, unless "Standardise Units & Frames" is on (its
+    # COORDINATES.md and CROSSPLATFORM.md); phyphox on iOS multiplies by -9.81 (its
+    # ExperimentSensorInput.swift)
     if acc.source == "logger" and is_apple(device):
         signals["acc"] = acc._replace(values=-acc.values)
         say(
@@ -79,7 +81,8 @@ def check_magnitudes(gyr, acc):
     if rates.max() > MAX_RATE:
         line, fastest = gyr.lines[np.argmax(rates)], rates.max()
         raise InputError(
-            f"{gyr.place}, line {line}: {fastest:.0f} rad/s is faster than any such sensor measures "
+            f"{gyr.place}, line {line}: {fastest:.0f} rad/s is faster than any such sensor "
+            "measures "
             f"({MAX_RATE:.0f}); is the unit deg/s?",
             f"{gyr.place}, baris {line}: {fastest:.0f} rad/s melebihi kemampuan sensor seperti itu "
             f"({MAX_RATE:.0f}); apakah satuannya deg/s?",

@@ -59,7 +59,8 @@ def _widened(cells, width):
 
 
 def _content(sheet, cell, formula):
-    """A number as a float, anything else as text; InputError: a formula whose result is not stored."""
+    """A number as a float, anything else as text; InputError: a formula whose result is not
+    stored."""
     if cell.value is None and formula.data_type == "f" and cell.data_type == "n":
         place = formula.coordinate
         raise InputError(

@@ -29,7 +29,8 @@ LEAST = {"gyr": 10}  # measurements; of other sensors two
 
 
 class Signal(NamedTuple):
-    """One sensor, a key of NAMES, as recorded: t (n,) s, values (n, 3) in SI units and its own axes."""
+    """One sensor, a key of NAMES, as recorded: t (n,) s, values (n, 3) in SI units and its own
+    axes."""
 
     kind: str
     t: np.ndarray
@@ -53,7 +54,8 @@ def signals_in(sheet, notes):
 
 
 def _groups_in(sheet, notes):
-    """{(name, kind, clock): {axis: (column, factor to SI)}}; clock: the (column, factor) of time to the left."""
+    """{(name, kind, clock): {axis: (column, factor to SI)}}; clock: the (column, factor) of time to
+    the left."""
     groups, clock = {}, None
     for k, title in enumerate(sheet.names):
         header = re.sub(r" \(\d+\)$", "", title)  # a name that came twice has got a number
@@ -145,7 +147,8 @@ def keep(signals, signal):
 
 
 def clean(signal, notes):
-    """The Signal without empty and repeated rows; InputError where a value is missing or time stands still."""
+    """The Signal without empty and repeated rows; InputError where a value is missing or time
+    stands still."""
     (en, id), place = NAMES[signal.kind], signal.place
     empty = np.isnan(signal.values).all(axis=1)  # phyphox fills short columns
     _check_values(signal, empty)

@@ -39,9 +39,8 @@ def read_text(text, decimal=None):
     """A pasted text or CSV -> Table. decimal is its decimal sign, "," or "."; None: find out.
 
     Separators: tab, semicolon, comma or blanks. A line "1,5" without header is one number unless
-    decimal=".".
-    InputError: no numbers, ragged rows, a word among numbers, or a text that can be read in two ways.
-    """
+    decimal=".". InputError: no numbers, ragged rows, a word among numbers, or a text that can be
+    read in two ways."""
     if decimal not in (None, ",", "."):
         raise ValueError('decimal must be ",", "." or None. / decimal harus ",", "." atau None.')
     try:
@@ -55,7 +54,8 @@ def read_text(text, decimal=None):
 
 
 def read_file(name, content, decimal=None):
-    """The bytes of a .csv, .txt, .tsv or .xlsx file -> Table; of an .xlsx the first sheet with numbers.
+    """The bytes of a .csv, .txt, .tsv or .xlsx file -> Table; of an .xlsx the first sheet with
+    numbers.
 
     InputError: another kind of file, a formula without its result, and whatever read_text refuses.
     """
@@ -76,7 +76,8 @@ def _first_sheet(name, content, decimal):
 
 
 def read_sheets(name, content, skip=()):
-    """The bytes of an .xlsx file -> {title: Table} of its sheets with numbers, without those in skip.
+    """The bytes of an .xlsx file -> {title: Table} of its sheets with numbers, without those in
+    skip.
 
     InputError as read_file.
     """
@@ -229,7 +230,8 @@ def _decimal_sign(rows, decimal):
 
 
 def _signs_in(rows):
-    """Two dicts {sign: the first (line, cell)}: cells that only this sign explains, or also this one."""
+    """Two dicts {sign: the first (line, cell)}: cells that only this sign explains, or also this
+    one."""
     proof, maybe = {}, {}
     for line, cells in rows:
         for cell in cells:

@@ -84,7 +84,7 @@ def _format_of(z):
     return SIX_DECIMALS if scale == 0 or 0.01 <= scale < 1e6 else POWER
 
 
-# --- sheet Filter: forwards -----------------------------------------------------------------------
+# --- sheet Filter: forwards ---------------------------------------------------------------------
 
 
 def _write_filter(book, z, inputs, name, data_format, chart_end):
@@ -139,7 +139,7 @@ def _filter_row(r, z):
     )
 
 
-# --- sheet RTS: backwards -------------------------------------------------------------------------
+# --- sheet RTS: backwards -----------------------------------------------------------------------
 
 
 def _write_rts(book, T, data_format, chart_end):
@@ -170,7 +170,7 @@ def _rts_row(r):
     )
 
 
-# --- sheet Notes ----------------------------------------------------------------------------------
+# --- sheet Notes --------------------------------------------------------------------------------
 
 
 def _write_notes(book, chart_end):

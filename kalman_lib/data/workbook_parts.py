@@ -1,4 +1,5 @@
-"""Sheets, cells and charts of the workbook: how they look. Heights in points, widths in characters."""
+"""Sheets, cells and charts of the workbook: how they look. Heights in points, widths in
+characters."""
 
 from openpyxl.cell import WriteOnlyCell
 from openpyxl.chart import LineChart, Reference, Series

@@ -3,7 +3,8 @@
 CREATOR = "Filter Kalman, Makalah demi Makalah / The Kalman Filter, Paper by Paper"
 FILTER_TITLE = "Filter Kalman skalar / Scalar Kalman filter"
 FILTER_HINT = (
-    "Ubah sel kuning; semua rumus menghitung ulang. / Change the yellow cells; every formula follows."
+    "Ubah sel kuning; semua rumus menghitung ulang. / "
+    "Change the yellow cells; every formula follows."
 )
 RTS_TITLE = "Penghalus RTS / RTS smoother"
 RTS_LINES = (

@@ -13,13 +13,13 @@ RATE = 256.0  # samples per second
 
 
 def read_ximu(path):
-    """The x-IMU recording of the book (notebooks/data/ximu.csv.gz) -> Recording with the device's own angles.
+    """The x-IMU recording of the book (notebooks/data/ximu.csv.gz) -> Recording with the device's
+    own angles.
 
-    12,626 samples at 256 Hz, real and unsmoothed. The device's frame is forward-left-up with angles in a
-    world whose z points up; here both are turned to forward-right-down and north-east-down. Its angles come
-    with every second sample (reference[::2]); those in between are interpolated. Its yaw starts anywhere:
-    compare it without its offset.
-    """
+    12,626 samples at 256 Hz, real and unsmoothed. The device's frame is forward-left-up with angles
+    in a world whose z points up; here both are turned to forward-right-down and north-east-down.
+    Its angles come with every second sample (reference[::2]); those in between are interpolated.
+    Its yaw starts anywhere: compare it without its offset."""
     with gzip.open(path, "rt", encoding="ascii") as file:
         table = np.genfromtxt(file, delimiter=",", skip_header=1)
     gyr, acc, mag, angles = np.split(table, [3, 6, 9], axis=1)  # deg/s, g, gauss, degrees

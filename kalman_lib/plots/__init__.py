@@ -1,8 +1,8 @@
 """The figures of the book. The only room that imports matplotlib; it never runs a filter.
 
-Every function returns a Figure that shows itself as the last value of a cell, with symbols and units
-only, so that it serves both languages. Where a dict is asked for, its keys are the labels; heights are
-in inches.
+Every function returns a Figure that shows itself as the last value of a cell, with symbols and
+units only, so that it serves both languages. Where a dict is asked for, its keys are the labels;
+heights are in inches.
 
     styles.py        colours and lines: one look means one thing in every chapter
     figure.py        Figure, and how a function below begins and ends one

@@ -27,10 +27,11 @@ SHAPE = [NOSE, TIPS[[0, 2]], TIPS[[1, 3]], *(tip + RING for tip in TIPS)]
 
 
 def craft(moments, height=1.9):
-    """A craft with four rotors, seen from the south and from above: a dict of (estimate, truth or None).
+    """A craft with four rotors, seen from the south and from above: a dict of (estimate, truth or
+    None).
 
-    Each is roll, pitch and yaw (3,) in rad. Thick: the estimate, thin: the truth; the arrow is the nose.
-    """
+    Each is roll, pitch and yaw (3,) in rad. Thick: the estimate, thin: the truth; the arrow is the
+    nose."""
     with new_figure(height) as (figure, ax):
         for place, (label, (estimate, truth)) in enumerate(moments.items()):
             _draw_craft(ax, APART * place, estimate, {**ESTIMATE, "linewidth": 2.2})

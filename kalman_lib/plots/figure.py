@@ -40,8 +40,8 @@ _quick = False  # are figures drawn as quick sketches?
 
 @contextmanager
 def live():
-    """Inside this block every function of this room that has one pair of axes, none of them logarithmic,
-    returns a Sketch."""
+    """Inside this block every function of this room that has one pair of axes, none of them
+    logarithmic, returns a Sketch."""
     global _quick
     before = _quick
     _quick = True

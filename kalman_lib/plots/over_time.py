@@ -21,10 +21,11 @@ def series(
     ylabel="",
     height=3.0,
 ):
-    """One quantity over time t: measurements z, estimate x, its standard deviation sigma, truth; all (T,).
+    """One quantity over time t: measurements z, estimate x, its standard deviation sigma, truth;
+    all (T,).
 
-    rivals: dict of at most two other estimates (T,); names: dict with other labels for "z", "x", "truth".
-    """
+    rivals: dict of at most two other estimates (T,); names: dict with other labels for "z", "x",
+    "truth"."""
     with new_figure(height, xlabel=xlabel, ylabel=ylabel) as (figure, ax):
         _draw_series(ax, t, z, x, sigma, truth, rivals, names)
     return figure

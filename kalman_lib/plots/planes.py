@@ -7,21 +7,24 @@ from .figure import Figure, add_legend, new_figure
 from .marks import add_points
 from .styles import DARK, ESTIMATE, GREY, MEASUREMENT, PALE, PREDICTION, RIVAL, STYLE, TRUTH
 
-POLES = ((ESTIMATE, "o", 7), (RIVAL, "s", 6), (PREDICTION, "x", 8), (MEASUREMENT, "^", 7), (TRUTH, "+", 9))
+POLES = (
+    (ESTIMATE, "o", 7),
+    (RIVAL, "s", 6),
+    (PREDICTION, "x", 8),
+    (MEASUREMENT, "^", 7),
+    (TRUTH, "+", 9),
+)
 WITHOUT_INSIDE = "x+"  # marks that are lines only
 
 
 # --- two states ---------------------------------------------------------------------------------
 
 
-def ellipses(
-    states, z=None, R=None, xlabel="$p$ (m)", ylabel="$v$ (m/s)", height=3.4, limits=None
-):
+def ellipses(states, z=None, R=None, xlabel="$p$ (m)", ylabel="$v$ (m/s)", height=3.4, limits=None):
     """Covariance ellipses (2 sigma): a dict of (x (2,), P (2, 2), look).
 
-    A measurement z of the first state with variance R is a vertical stripe; limits ((low, high), (low,
-    high)).
-    """
+    A measurement z of the first state with variance R is a vertical stripe; limits ((low, high),
+    (low, high))."""
     with new_figure(height, xlabel=xlabel, ylabel=ylabel) as (figure, ax):
         if z is not None:
             _draw_measurement(ax, z, R)
@@ -60,7 +63,8 @@ def covariance_ellipse(x, P, sigmas=2):
 
 
 def plane(states, lines, points, xlabel, ylabel, height=3.4, limits=None):
-    """`ellipses` with lines, a dict of (x, y), first a true, then a predicted one, and a dict of points (x, y)."""
+    """`ellipses` with lines, a dict of (x, y), first a true, then a predicted one, and a dict of
+    points (x, y)."""
     figure = ellipses(states, xlabel=xlabel, ylabel=ylabel, height=height, limits=limits)
     with style.context(STYLE):
         ax = figure.axes[0]
@@ -76,7 +80,8 @@ def plane(states, lines, points, xlabel, ylabel, height=3.4, limits=None):
 
 
 def surface(x, y, values, xlabel, ylabel, best=None, drop=(0.5, 2, 5, 10, 20, 50), height=3.4):
-    """A log-likelihood, values (len(y), len(x)), as its loss against the largest; best (x, y) as a mark."""
+    """A log-likelihood, values (len(y), len(x)), as its loss against the largest; best (x, y) as a
+    mark."""
     loss = np.max(values) - values
     ends = (0, 2 * drop[-1])
     points = None if best is None else {r"$\max\ \ln L$": best}

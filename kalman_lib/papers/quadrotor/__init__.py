@@ -3,9 +3,9 @@
 Source: Rafiq, Kurniawan and Purnami, equations (1)-(26).
 
 Frames: earth north-east-down (NED), body forward-right-down (FRD). The accelerometer shows specific
-force: at rest and level it reads (0, 0, -g). Roll, pitch and yaw are the aerospace Euler angles (turn by
-yaw first, then pitch, then roll); yaw is 0 towards magnetic north and grows to the right. Angles in rad,
-rates in rad/s unless a name says otherwise.
+force: at rest and level it reads (0, 0, -g). Roll, pitch and yaw are the aerospace Euler angles
+(turn by yaw first, then pitch, then roll); yaw is 0 towards magnetic north and grows to the right.
+Angles in rad, rates in rad/s unless a name says otherwise.
 
     params.py       what the reader may vary, and what the paper prints
     model.py        the paper's model; what each sensor says alone

@@ -1,5 +1,8 @@
-"""The attitude filter: for each axis a small Kalman filter with state [angle, s], s the error of the
-gyroscope's rate u; x is the angle, and P00, P01, P11 are the elements of its P."""
+"""The attitude filter: for each axis a small Kalman filter.
+
+Its state is [angle, s], s the error of the gyroscope's rate u; x is the angle, and P00, P01, P11
+are the elements of its P.
+"""
 
 import math
 import warnings
@@ -47,11 +50,9 @@ def estimate(t, gyr, acc, mag, rest_s, method="adaptive"):
     rest_s   the craft is at rest for so many seconds at the start
     method   "literal", "paper" or "adaptive", see METHODS
 
-    NaN in acc or mag: that sensor is silent at that moment.
-    ValueError: unknown method, wrong shapes, NaN in t or gyr, t does not increase, no rest of at least 10
-    samples.
-    UserWarning: the pitch comes beyond 75 degrees, where Euler angles fail.
-    """
+    NaN in acc or mag: that sensor is silent at that moment. ValueError: unknown method, wrong
+    shapes, NaN in t or gyr, t does not increase, no rest of at least 10 samples. UserWarning: the
+    pitch comes beyond 75 degrees, where Euler angles fail."""
     if method not in METHODS:
         known = ", ".join(METHODS)
         raise ValueError(
@@ -65,10 +66,9 @@ def attitude(t, gyr, acc, mag, rest_s, how):
     """Like `estimate`, with a Method `how`, and returns an Attitude: everything on the way.
 
     Each axis is a small Kalman filter with state [angle, s], s the error of the gyroscope's rate u:
-    F = [[1, -dt], [0, 1 or 0]], B = [dt, 0], H = [1, 0]. With 0 (not kept) it is the paper's filter: its
-    second state, the rate, is u - s. kalman_filter gives the same numbers (a test compares); written out
-    it is ten times as quick.
-    """
+    F = [[1, -dt], [0, 1 or 0]], B = [dt, 0], H = [1, 0]. With 0 (not kept) it is the paper's
+    filter: its second state, the rate, is u - s. kalman_filter gives the same numbers (a test
+    compares); written out it is ten times as quick."""
     t, gyr, acc, mag, rest = check_recording(t, gyr, acc, mag, rest_s)
     z, start = measured(acc, mag, rest, how)
     R = measurement_noise(t, z, mag, rest, how)
@@ -118,8 +118,8 @@ def _bias_variance(gyr, rest, rest_s, how):
 class _Filters:
     """The three filters as they stand after a step; every list holds roll, pitch and yaw.
 
-    x angles, s errors of their rates, P (P00, P01, P11); R (3,) of the start, dt the lengths of all steps.
-    """
+    x angles, s errors of their rates, P (P00, P01, P11); R (3,) of the start, dt the lengths of all
+    steps."""
 
     def __init__(self, how, x, R, P_s, dt, has_cells):
         self.how = how
@@ -135,7 +135,8 @@ class _Filters:
         self.looks_ahead = "midpoint" not in how.without
 
     def rates(self, turn, h):
-        """The rates of the three angles during a step of h seconds, taken at the angles in its middle."""
+        """The rates of the three angles during a step of h seconds, taken at the angles in its
+        middle."""
         if not self.turns_rates:
             return turn
         x, s = self.x, self.s
@@ -155,7 +156,8 @@ class _Filters:
         self.P = [_predicted(P, Q, h, keep) for P in self.P]
 
     def update(self, z, is_known, R):
-        """Blend each angle with its measurement, unless that sensor is silent -> innovations y and R (3)."""
+        """Blend each angle with its measurement, unless that sensor is silent -> innovations y and
+        R (3)."""
         y, R = [math.nan] * 3, list(R)
         for i in range(3):
             if not is_known[i]:

@@ -54,12 +54,11 @@ class Flight(Trajectory):
 def simulate(p, rng):
     """A SYNTHETIC flight along the paper's route -> Flight.
 
-    The attitude follows from the motion: rotors push only along the body's downward axis and the air drags
-    against the motion, so thrust = acceleration - gravity + drag; its direction gives roll and pitch. In
-    the air the craft sways with random accelerations of p.sway (correlated over 0.5 s) and the motors
-    disturb the magnetometer (1 uT, correlated over 2 s). Sensors: white noise, and a gyroscope bias drawn
-    once with standard deviation p.bias.
-    """
+    The attitude follows from the motion: rotors push only along the body's downward axis and the
+    air drags against the motion, so thrust = acceleration - gravity + drag; its direction gives
+    roll and pitch. In the air the craft sways with random accelerations of p.sway (correlated over
+    0.5 s) and the motors disturb the magnetometer (1 uT, correlated over 2 s). Sensors: white
+    noise, and a gyroscope bias drawn once with standard deviation p.bias."""
     check(p)
     t, yaw, speed, aloft = route_of(p.dt)
     aloft = aloft[:, np.newaxis]
@@ -73,7 +72,8 @@ def simulate(p, rng):
 
 
 def _angles_of(force, velocity, yaw):
-    """Roll, pitch, yaw (N, 3): the thrust must push where the craft accelerates, and against the drag."""
+    """Roll, pitch, yaw (N, 3): the thrust must push where the craft accelerates, and against the
+    drag."""
     push = -(force + DRAG * velocity)  # thrust turned round: the body's down
     north, east, down = push.T
     x = north * np.cos(yaw) + east * np.sin(yaw)
@@ -84,11 +84,11 @@ def _angles_of(force, velocity, yaw):
 
 
 def swing(p, rng):
-    """A SYNTHETIC fast motion by hand, 60 s -> Flight: roll and pitch swing by 45 and 35 degrees while it turns.
+    """A SYNTHETIC fast motion by hand, 60 s -> Flight: roll and pitch swing by 45 and 35 degrees
+    while it turns.
 
-    Accelerations of 1 m/s2 (correlated over 0.5 s); noise and bias of the sensors as in `simulate`, no
-    disturbance.
-    """
+    Accelerations of 1 m/s2 (correlated over 0.5 s); noise and bias of the sensors as in `simulate`,
+    no disturbance."""
     check(p)
     t = np.arange(0, REST + SWINGING, p.dt)
     moves = gentle((t - REST) / 3)
@@ -117,7 +117,8 @@ def _flight(p, rng, t, truth, force, disturbance):
 
 
 def body_rates(rates, angles):
-    """The gyroscope's rates (N, 3) for rates (N, 3) of roll, pitch, yaw at these angles (N, 3): euler_rates undone."""
+    """The gyroscope's rates (N, 3) for rates (N, 3) of roll, pitch, yaw at these angles (N, 3):
+    euler_rates undone."""
     roll_rate, pitch_rate, yaw_rate = rates.T
     roll, pitch, _ = angles.T
     sin_r, cos_r = np.sin(roll), np.cos(roll)
@@ -130,7 +131,8 @@ def body_rates(rates, angles):
 
 
 def to_body(v, angles):
-    """A vector v (N, 3) or (3,), NED, seen in the body's axes at the angles (N, 3): turned by yaw, pitch, roll."""
+    """A vector v (N, 3) or (3,), NED, seen in the body's axes at the angles (N, 3): turned by yaw,
+    pitch, roll."""
     north, east, down = np.broadcast_to(v, angles.shape).T
     roll, pitch, yaw = angles.T
     ahead = north * np.cos(yaw) + east * np.sin(yaw)

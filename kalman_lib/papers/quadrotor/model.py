@@ -18,9 +18,9 @@ STEEPEST = 85 * DEG
 def model(p):
     """The paper's model: state [roll, its rate, pitch, its rate, yaw, its rate], rad and rad/s.
 
-    Measured: the three angles; input u: the three rates (the rate of the state is the latest input).
-    Innovations are wrapped at +-pi. R: variances of the angles of the simulated sensors at rest, rad^2.
-    """
+    Measured: the three angles; input u: the three rates (the rate of the state is the latest
+    input). Innovations are wrapped at +-pi. R: variances of the angles of the simulated sensors at
+    rest, rad^2."""
     check(p)
     F, B, H, Q = axis(p.dt, p.q * DEG**2)
     one_a_piece = np.eye(3)  # the three axes do not touch each other
@@ -74,7 +74,8 @@ def wrapped_difference(z, z_pred):
 
 
 def tilt(acc):
-    """Roll and pitch (N, 2) of the accelerometer alone, from acc (N, 3): right only without acceleration."""
+    """Roll and pitch (N, 2) of the accelerometer alone, from acc (N, 3): right only without
+    acceleration."""
     x, y, z = np.moveaxis(np.asarray(acc), 1, 0)
     roll = np.arctan2(-y, -z)
     pitch = np.arctan2(x, np.hypot(y, z))
@@ -82,14 +83,16 @@ def tilt(acc):
 
 
 def printed_tilt(acc):
-    """Roll and pitch (N, 2) as equations (2) and (1) print them, both with the root of ax^2 + az^2."""
+    """Roll and pitch (N, 2) as equations (2) and (1) print them, both with the root of ax^2 +
+    az^2."""
     x, y, z = np.moveaxis(np.asarray(acc), 1, 0)
     root = np.hypot(x, z)
     return np.stack([np.arctan(-y / root), np.arctan(x / root)], axis=1)
 
 
 def heading(mag, roll, pitch):
-    """Yaw (N,) of the magnetometer mag (N, 3), its vector turned back to the horizontal by roll and pitch (N,)."""
+    """Yaw (N,) of the magnetometer mag (N, 3), its vector turned back to the horizontal by roll and
+    pitch (N,)."""
     x, y, z = np.moveaxis(np.asarray(mag), 1, 0)
     return heading_of(x, y, z, roll, pitch, np)
 

@@ -4,7 +4,8 @@ import numpy as np
 
 from .model import AXES, DEG
 
-# The paper's route: seconds of straight flight, after a turn by so many degrees (to the left is negative)
+# The paper's route: seconds of straight flight, after a turn by so many degrees (to the left is
+# negative)
 ROUTE = ((30, 0), (20, -65), (15, -115), (20, -80), (15, -100))
 REST = 6.0  # s before take-off
 TURN_RATE = 25  # deg/s
@@ -17,7 +18,8 @@ SPEED_SECONDS = 0.8  # in which the craft speeds up
 
 
 def route_of(dt):
-    """Times t (N,) s, yaw (N,) rad, speed (N,) m/s, and how much the craft is aloft (N,), 0 to 1."""
+    """Times t (N,) s, yaw (N,) rad, speed (N,) m/s, and how much the craft is aloft (N,), 0 to
+    1."""
     time, yaw, speed = np.array(_corners()).T
     time = time + 1e-9 * np.arange(len(time))  # two corners at one moment: in this order
     t = np.arange(0, time[-1], dt)
@@ -28,7 +30,8 @@ def route_of(dt):
 
 
 def _corners():
-    """(time s, yaw degrees, speed m/s) between which the craft goes evenly; it faces south at first."""
+    """(time s, yaw degrees, speed m/s) between which the craft goes evenly; it faces south at
+    first."""
     time, yaw = REST + CLIMB, 180
     corners = [(0, yaw, 0), (time, yaw, 0)]
     for seconds, turn in ROUTE:

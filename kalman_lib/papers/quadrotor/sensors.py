@@ -1,5 +1,4 @@
-"""A recording, checked; the angles that accelerometer and magnetometer measure, how uncertain these are,
-and when the craft is dynamic."""
+"""A recording, checked; the measured angles and their noise; when the craft is dynamic."""
 
 import numpy as np
 
@@ -30,13 +29,16 @@ def check_recording(t, gyr, acc, mag, rest_s):
     if back.any():
         k = int(back.argmax()) + 1
         raise ValueError(
-            f"t does not increase at t[{k}] = {t[k]:g} s. / t tidak bertambah di t[{k}] = {t[k]:g} s."
+            f"t does not increase at t[{k}] = {t[k]:g} s. / t tidak bertambah di t[{k}] = {t[k]:g} "
+            "s."
         )
     rest = t - t[0] <= rest_s if N else np.zeros(0, dtype=bool)
     if rest.sum() < LEAST_AT_REST:
         raise ValueError(
-            f"rest_s = {rest_s} s holds {rest.sum()} samples; at least 10 samples of rest at the start "
-            f"are needed. / rest_s = {rest_s} s memuat {rest.sum()} sampel; diperlukan sedikitnya 10 "
+            f"rest_s = {rest_s} s holds {rest.sum()} samples; at least 10 samples of rest at the "
+            "start "
+            f"are needed. / rest_s = {rest_s} s memuat {rest.sum()} sampel; diperlukan sedikitnya "
+            "10 "
             "sampel diam di awal."
         )
     return t, gyr, acc, mag, rest
@@ -57,9 +59,8 @@ def _check_finite(name, values):
 def measured(acc, mag, rest, how):
     """The measured angles (N, 3) and the mean angles at rest, where the filter starts.
 
-    The yaw is the one for the tilt at rest, as the filter computes it again from its own tilt; or, without
-    the estimated tilt, the one for the accelerometer's.
-    """
+    The yaw is the one for the tilt at rest, as the filter computes it again from its own tilt; or,
+    without the estimated tilt, the one for the accelerometer's."""
     z = printed_tilt(acc) if "formulas" in how.without else tilt(acc)
     roll_at_rest = direction(z[rest, 0])
     pitch_at_rest = direction(z[rest, 1])
@@ -71,7 +72,8 @@ def measured(acc, mag, rest, how):
 
 
 def measurement_noise(t, z, mag, rest, how):
-    """R (N, 3), or (N, 3, cells) where m holds many: the variance of the angles, times m where dynamic."""
+    """R (N, 3), or (N, 3, cells) where m holds many: the variance of the angles, times m where
+    dynamic."""
     seen = z if "rest variance" in how.without else z[rest]
     R = [max(spread(angles), low, R_LEAST) for angles, low in zip(seen.T, how.R_min)]
     dynamic = is_dynamic(t, mag, rest, how.window, how.threshold)
@@ -82,8 +84,8 @@ def measurement_noise(t, z, mag, rest, how):
 
 
 def is_dynamic(t, mag, rest, window, threshold):
-    """Where (N,) the variance of the magnetometer over the last window (s), all axes together, exceeds the
-    threshold times its variance at rest: the paper's test."""
+    """Where (N,) the variance of the magnetometer over the last window (s), all axes together,
+    exceeds the threshold times its variance at rest: the paper's test."""
     known = np.isfinite(mag).all(axis=1)
     if not known[rest].any():
         return np.zeros(len(t), dtype=bool)

@@ -28,7 +28,8 @@ def galat(reference, estimate):
 
 
 def rmse_deg(truth, angles):
-    """Root mean square over time of the wrapped errors of the angles (N, ...), in degrees; NaN is left out."""
+    """Root mean square over time of the wrapped errors of the angles (N, ...), in degrees; NaN is
+    left out."""
     error = wrap(angles - truth)
     known = np.isfinite(error)
     total = np.sum(np.where(known, error, 0) ** 2, axis=0)
