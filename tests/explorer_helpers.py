@@ -6,9 +6,9 @@ import math
 import pkgutil
 
 import numpy as np
+from conftest import ROOT
 
 import kalman_lib.papers
-from conftest import ROOT
 from kalman_lib.data import InputError
 
 SOURCES = ROOT / "book" / "explorers"
@@ -20,7 +20,7 @@ RELATIVE, SCALE = (
     1e-12,
 )  # |js - py| <= RELATIVE |py| + SCALE max |py| of that component over time
 
-# --- explorers of the built book ------------------------------------------------------------------
+# --- explorers of the built book ----------------------------------------------------------------
 
 
 def pages_with_explorers(site, language):
@@ -68,7 +68,7 @@ def set_state(element, **changes):
     shown(element)
 
 
-# --- what they show -------------------------------------------------------------------------------
+# --- what they show -----------------------------------------------------------------------------
 
 PICTURE = """
   const pixels = canvas => {
@@ -114,7 +114,7 @@ def estimates(element):
     return np.array(element.evaluate("e => Array.from(e.explorer.r.result.x)"))
 
 
-# --- numbers --------------------------------------------------------------------------------------
+# --- numbers ------------------------------------------------------------------------------------
 
 
 def listed(values):
@@ -159,7 +159,7 @@ def value_in(meta, low_to_high):
     return low + low_to_high * (high - low)
 
 
-# --- what readers bring ---------------------------------------------------------------------------
+# --- what readers bring -------------------------------------------------------------------------
 
 
 def javascript(page, call, *arguments):

@@ -6,7 +6,6 @@ Explorers are found in the built pages; none is listed here.
 import re
 
 import pytest
-
 from conftest import ROOT
 from explorer_helpers import (
     PAPERS,
@@ -60,7 +59,7 @@ def test_print_and_no_script_show_the_picture(site, server, chromium, opened):
     context.close()
 
 
-# --- everyone -------------------------------------------------------------------------------------
+# --- everyone -----------------------------------------------------------------------------------
 
 
 def test_every_slider_moves_the_picture(site, opened):

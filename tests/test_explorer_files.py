@@ -5,9 +5,9 @@ import json
 import random
 
 import pytest
-
 import test_spreadsheet
 from explorer_helpers import as_in_python, javascript
+
 from kalman_lib.data import read_file, read_text
 
 

@@ -1,7 +1,6 @@
 """What readers type into the explorers: addresses, numbers, answers. Nothing of it can harm."""
 
 import pytest
-
 from explorer_helpers import explorers, live, pages_with_explorers, picture, shown
 
 # The explorer that belongs to a key of the address
@@ -10,7 +9,7 @@ WITH_KEY = (
 )
 
 
-# --- the address, and bad input -------------------------------------------------------------------
+# --- the address, and bad input -----------------------------------------------------------------
 
 
 def test_the_address_keeps_the_settings(site, opened, server, chromium):
@@ -105,7 +104,7 @@ def test_bad_numbers_are_refused_and_the_picture_stays(site, opened):
         message.wait_for(state="hidden")
 
 
-# --- the hand check -------------------------------------------------------------------------------
+# --- the hand check -----------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("language", ["id", "en"])

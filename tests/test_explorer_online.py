@@ -4,8 +4,8 @@ import re
 
 import numpy as np
 import pytest
-
 from explorer_helpers import estimates, picture, shown
+
 from kalman_lib.papers import smoother
 
 nan = np.nan

@@ -15,9 +15,9 @@ import explorers as explorers_to_bundle
 import numpy as np
 import offline
 import pytest
-
 from explorer_cases import cases
 from explorer_helpers import PAPERS, SETS, SOURCES, close, listed
+
 from kalman_lib import chi2_bounds, kalman_filter, nees, nis, rmse, rts_smooth
 from kalman_lib.papers import describe
 

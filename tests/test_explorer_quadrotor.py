@@ -6,8 +6,8 @@ import json
 
 import numpy as np
 import pytest
-
 from explorer_helpers import SCALE, close, listed, value_in
+
 from kalman_lib import kalman_filter, nis
 from kalman_lib.papers import describe, quadrotor
 
@@ -135,14 +135,12 @@ def ask_in_parts(page, flights, questions):
     for start in range(0, len(questions), 6):
         some = questions[start : start + 6]
         used = sorted({question["flight"] for question in some})
-        text = json.dumps(
-            {
-                "flights": [flights[i] for i in used],
-                "questions": [
-                    question | {"flight": used.index(question["flight"])} for question in some
-                ],
-            }
-        )
+        text = json.dumps({
+            "flights": [flights[i] for i in used],
+            "questions": [
+                question | {"flight": used.index(question["flight"])} for question in some
+            ],
+        })
         yield from json.loads(page.evaluate(ATTITUDE, text))
 
 
@@ -160,15 +158,13 @@ def test_the_sensors_alone_say_what_they_say_in_python(bundle):
         [v.tolist(), angles.tolist()],
     )
     rates = [quadrotor.euler_rates(row, *angle) for row, angle in zip(v, angles)]
-    theirs = np.column_stack(
-        [
-            quadrotor.tilt(v),
-            quadrotor.printed_tilt(v),
-            quadrotor.heading(v, *angles.T),
-            rates,
-            quadrotor.wrap(angles),
-        ]
-    )
+    theirs = np.column_stack([
+        quadrotor.tilt(v),
+        quadrotor.printed_tilt(v),
+        quadrotor.heading(v, *angles.T),
+        rates,
+        quadrotor.wrap(angles),
+    ])
     assert close(np.ravel(ours), theirs, theirs.shape[1]) is None
 
 
@@ -213,18 +209,12 @@ def test_the_flight_of_the_page_is_flown_as_pythons(bundle):
     for seed in range(6):
         flight = quadrotor.simulate(quadrotor.Params(), np.random.default_rng(seed))
         result = kalman_filter(quadrotor.model(quadrotor.Params()), flight.z, flight.u)
-        theirs.append(
-            [
-                *np.ravel(
-                    [
-                        quadrotor.rmse_deg(flight.truth, quadrotor.estimate(*flight.sensors, name))[
-                            :2
-                        ]
-                        for name in ("literal", "paper", "adaptive")
-                    ]
-                ),
-                *quadrotor.rmse_deg(flight.truth, flight.z),
-                nis(result.y, result.S).mean(),
-            ]
-        )
+        theirs.append([
+            *np.ravel([
+                quadrotor.rmse_deg(flight.truth, quadrotor.estimate(*flight.sensors, name))[:2]
+                for name in ("literal", "paper", "adaptive")
+            ]),
+            *quadrotor.rmse_deg(flight.truth, flight.z),
+            nis(result.y, result.S).mean(),
+        ])
     assert np.mean(numbers, axis=0) == pytest.approx(np.mean(theirs, axis=0), rel=0.25)

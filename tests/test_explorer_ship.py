@@ -6,8 +6,8 @@ import re
 
 import numpy as np
 import pytest
-
 from explorer_helpers import RELATIVE, SETS, explorer_of, picture, set_state, shown
+
 from kalman_lib import kalman_filter, rts_smooth
 from kalman_lib.papers import ship
 
@@ -99,9 +99,11 @@ def test_ship_filters_a_recording_of_the_reader_as_python_does(way, language, si
     if way == "pasted":
         element.locator("textarea").fill(text)
     else:
-        element.locator("input[type=file]").set_input_files(
-            {"name": "kapal.csv", "mimeType": "text/csv", "buffer": text.encode()}
-        )
+        element.locator("input[type=file]").set_input_files({
+            "name": "kapal.csv",
+            "mimeType": "text/csv",
+            "buffer": text.encode(),
+        })
         page.wait_for_function(
             "e => e.explorer.r.data.truth === null", arg=element.element_handle()
         )
@@ -182,9 +184,11 @@ def test_ship_refuses_what_is_no_recording_in_one_sentence(language, site, opene
         "foto.csv": bytes(range(256)),
         "empty.txt": b"",
     }.items():
-        element.locator("input[type=file]").set_input_files(
-            {"name": name, "mimeType": "text/plain", "buffer": content}
-        )
+        element.locator("input[type=file]").set_input_files({
+            "name": name,
+            "mimeType": "text/plain",
+            "buffer": content,
+        })
         message.wait_for(state="visible")
         shown(element)
         assert message.inner_text().endswith(".") and picture(element) == drawn, name

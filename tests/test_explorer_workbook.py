@@ -4,10 +4,10 @@ import base64
 
 import numpy as np
 import pytest
-from openpyxl import load_workbook
-
 import test_spreadsheet
 from explorer_helpers import javascript
+from openpyxl import load_workbook
+
 from kalman_lib import LinearModel, kalman_filter, rts_smooth
 from kalman_lib.data import write_workbook
 
@@ -76,7 +76,9 @@ def test_the_workbook_of_the_page_computes_what_the_library_computes(name, workb
         if Q + P0 > 0:  # else the state is known, G = 0/0 is 0 by agreement
             np.testing.assert_allclose(x_smooth, smooth.x[:, 0], rtol=1e-12, atol=small)
             np.testing.assert_allclose(P_smooth, smooth.P[:, 0, 0], rtol=1e-12)
-            np.testing.assert_allclose(G, [*(result.P[:-1] / result.P_pred[1:])[:, 0, 0], nan], rtol=1e-12)
+            np.testing.assert_allclose(
+                G, [*(result.P[:-1] / result.P_pred[1:])[:, 0, 0], nan], rtol=1e-12
+            )
         assert book["Filter"]["F4"].value == np.isfinite(z).sum()
 
 

@@ -13,8 +13,8 @@ LIBRARY = Path(__file__).resolve().parent.parent / "kalman_lib"
 NUMERICS = {"numpy"}
 WITH_SCIPY = NUMERICS | {"scipy"}
 
-# Room -> (our own rooms that it may import, packages); the standard library is free, and so are the files
-# of the same room. A room is a file of kalman_lib, or one of its folders.
+# Room -> (our own rooms that it may import, packages); the standard library is free, and so are the
+# files of the same room. A room is a file of kalman_lib, or one of its folders.
 ALLOWED = {
     "checks": (set(), NUMERICS),
     "roots": (set(), NUMERICS),
@@ -39,7 +39,8 @@ ALLOWED = {
         NUMERICS | {"ipywidgets", "IPython"},
     ),
 }
-# A paper, whether a file or a folder: the core, and of the other papers nothing ("papers": the package alone)
+# A paper, whether a file or a folder: the core, and of the other papers nothing ("papers": the
+# package alone)
 PAPER = ({"checks", "models", "simulate", "numeric", "tuning", "papers"}, NUMERICS)
 
 
@@ -52,7 +53,8 @@ def room_of(parts):
 
 
 def imports(path, library=LIBRARY):
-    """(our own rooms, outside packages) that the file imports anywhere in it, other than its own room."""
+    """(our own rooms, outside packages) that the file imports anywhere in it, other than its own
+    room."""
     parts = path.relative_to(library).parts
     own, outside = set(), set()
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
