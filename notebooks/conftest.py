@@ -1,4 +1,6 @@
-"""Notebooks that pytest runs again draw no progress bars, which are no part of their stored outputs."""
+"""Notebooks that pytest runs again draw no progress bars, which are no part of their stored
+outputs."""
+
 import os
 
 os.environ.setdefault("TQDM_DISABLE", "1")

@@ -7,8 +7,8 @@ import pytest
 from conftest import ROOT
 
 sys.path.insert(0, str(ROOT / "book"))
-import build  # noqa: E402
-import changes  # noqa: E402
+import build
+import changes
 
 
 @pytest.fixture
