@@ -112,6 +112,12 @@ def server(site):
         httpd.shutdown()
 
 
+@pytest.fixture(scope="session")
+def bases(site, server):
+    """The two ways to open the book."""
+    return {"http": server, "file": site.as_uri()}
+
+
 def listen(page):
     """A list that takes up whatever goes wrong on a page from now on."""
     trouble = []

@@ -119,11 +119,9 @@ def estimates(element):
 
 def listed(values):
     """Numbers as JSON can hold them: NaN is null."""
-    return (
-        None
-        if values is None
-        else [None if value != value else value for value in np.ravel(values).tolist()]
-    )
+    if values is None:
+        return None
+    return [None if math.isnan(value) else value for value in np.ravel(values).tolist()]
 
 
 def close(ours, theirs, columns, doubt=0):

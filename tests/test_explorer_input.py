@@ -82,7 +82,7 @@ def test_a_bad_address_is_refused_in_one_sentence(language, bad, site, opened):
 
 
 def test_bad_numbers_are_refused_and_the_picture_stays(site, opened):
-    for name, page, _, element in explorers(site, opened):
+    for name, _, _, element in explorers(site, opened):
         field = element.locator(
             ".explorer-control:visible input.explorer-value:not(:disabled)"
         ).last

@@ -114,7 +114,10 @@ def test_both_languages_have_the_same_skeleton(path):
     ids=lambda path: path.stem,
 )
 def test_indonesian_speaks_to_us_in_the_book_s_own_terms(path):
-    unwanted = r"\b(anda|kamu|saya|standar deviasi|deviasi standar|kovarian|varian|penapis|tapis|taksiran|dimana|merubah)\b"
+    unwanted = (
+        r"\b(anda|kamu|saya|standar deviasi|deviasi standar|kovarian|varian|penapis|tapis|taksiran"
+        r"|dimana|merubah)\b"
+    )
     for indonesian, english in pairs(path):
         found = re.findall(unwanted, plain(indonesian), flags=re.IGNORECASE)
         assert not found, f"{found} in: {indonesian.strip()[:70]}"
