@@ -1,5 +1,4 @@
-"""Notebooks that pytest runs again draw no progress bars, which are no part of their stored
-outputs."""
+"""Notebooks that pytest runs again draw no progress bars: no output to keep."""
 
 import os
 

@@ -129,7 +129,7 @@ def test_indonesian_speaks_to_us_in_the_book_s_own_terms(path):
 def test_code_cells_are_short(path):
     lengths = [len(text(cell).splitlines()) for cell in code_cells(path)]
     assert max(lengths) <= 12
-    assert median(lengths) <= 6
+    assert median(lengths) <= 9  # of 76 characters: as much as six lines of the width before
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
