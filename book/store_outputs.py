@@ -1,8 +1,11 @@
-"""Run notebooks from the top and store their outputs: python book/store_outputs.py [notebooks/NN_name.ipynb ...]
+"""Run notebooks from the top and store their outputs.
 
-The stored outputs are what `make test` compares with and what readers download. Live widgets leave their static picture
-only: their view is of no use without the kernel that made it.
+    python book/store_outputs.py [notebooks/NN_name.ipynb ...]
+
+The stored outputs are what `make test` compares with and what readers download. Live widgets leave
+their static picture only: their view is of no use without the kernel that made it.
 """
+
 import os
 import sys
 from pathlib import Path
@@ -15,11 +18,19 @@ WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
 
 
 def store(path):
-    """Execute one notebook in its own folder and write it back, without anything that differs from run to run."""
+    """Execute one notebook in its own folder; what differs from run to run is not kept."""
     notebook = nbformat.read(path, as_version=4)
-    NotebookClient(notebook, timeout=300, store_widget_state=False, coalesce_streams=True, resources={"metadata": {"path": path.parent}}).execute()
-    notebook.metadata = {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
-                         "language_info": {"name": "python"}}
+    NotebookClient(
+        notebook,
+        timeout=300,
+        store_widget_state=False,
+        coalesce_streams=True,
+        resources={"metadata": {"path": path.parent}},
+    ).execute()
+    notebook.metadata = {
+        "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+        "language_info": {"name": "python"},
+    }
     for cell in notebook.cells:
         cell.metadata.pop("execution", None)
         for output in cell.get("outputs", []):
@@ -28,7 +39,7 @@ def store(path):
 
 
 if __name__ == "__main__":
-    os.environ["TQDM_DISABLE"] = "1"        # a progress bar is no output to keep
+    os.environ["TQDM_DISABLE"] = "1"  # a progress bar is no output to keep
     for path in map(Path, sys.argv[1:] or sorted((ROOT / "notebooks").glob("*.ipynb"))):
         print(f"Running {path.name} ...", flush=True)
         store(path.resolve())

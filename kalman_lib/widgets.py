@@ -23,8 +23,7 @@ from .papers import describe, param, smoother, theory
 from .papers import gyro as gyro_paper
 from .papers import quadrotor as quadrotor_paper
 from .papers import ship as ship_paper
-from .recording import read_recording, rest_seconds
-from .spreadsheet import InputError, read_file, read_text, write_workbook
+from .data import InputError, read_file, read_recording, read_text, rest_seconds, write_workbook
 
 SEED = 2                    # of every synthetic measurement
 TABLE_ROWS = 1000           # a longer table shows its beginning and its end

@@ -1,4 +1,5 @@
-"""Notebooks that pytest runs again draw no progress bars, which are no part of their stored outputs."""
+"""Notebooks that pytest runs again draw no progress bars: no output to keep."""
+
 import os
 
 os.environ.setdefault("TQDM_DISABLE", "1")

@@ -63,23 +63,12 @@ class Quiet(http.server.SimpleHTTPRequestHandler):
 
 
 def main():
-    subprocess.run(
-        [sys.executable, str(ROOT / "book" / "build.py")], check=True, stdout=subprocess.DEVNULL
-    )
-    folder = SITE / "en" / "_static" / "vendor" / "explorers"
-    sizes = {
-        file.name: len(gzip.compress(file.read_bytes(), 9)) / 1000
-        for file in sorted(folder.iterdir())
-    }
-    core = sizes.pop("core.js") + sizes.pop("core.css")
-    print(
-        f"gzip: the core {core:.1f} kB, and with one paper (of 45 kB):",
-        ", ".join(f"{name.removesuffix('.js')} {core + size:.1f}" for name, size in sizes.items()),
-    )
+    build = [sys.executable, str(ROOT / "book" / "build.py")]
+    subprocess.run(build, check=True, stdout=subprocess.DEVNULL)
+    print_sizes()
+    handler = functools.partial(Quiet, directory=str(SITE))
     with (
-        http.server.ThreadingHTTPServer(
-            ("127.0.0.1", 0), functools.partial(Quiet, directory=str(SITE))
-        ) as server,
+        http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server,
         sync_playwright() as playwright,
     ):
         threading.Thread(target=server.serve_forever, daemon=True).start()
@@ -92,35 +81,50 @@ def main():
             f"{'frames/s':>10}{'4x slower':>11}{'painting':>12}"
         )
         for path in sorted((SITE / "en").rglob("*.html")):
-            if "<kalman-explorer" not in path.read_text(encoding="utf-8"):
-                continue
-            page = browser.new_context(
-                viewport={"width": 1280, "height": 900}, service_workers="block"
-            ).new_page()
-            page.goto(f"http://127.0.0.1:{server.server_port}/{path.relative_to(SITE).as_posix()}")
-            slow = page.context.new_cdp_session(page)
-            for index, key in enumerate(
-                page.evaluate(
-                    "[...document.querySelectorAll('kalman-explorer')].map(e => e.explorer?.key)"
-                )
-            ):
-                if key is None:
-                    continue
-                quick = page.evaluate(DRAG, [index, 240])
-                slow.send("Emulation.setCPUThrottlingRate", {"rate": 4})
-                throttled = page.evaluate(DRAG, [index, 240])
-                slow.send("Emulation.setCPUThrottlingRate", {"rate": 1})
-                work = sorted(quick["work"])
-                print(
-                    f"{key:18}{statistics.median(work):9.2f} ms,"
-                    f" 95 %{work[int(0.95 * len(work))]:6.2f}"
-                    f"{statistics.median(quick['painted']):15.1f} ms"
-                    f"{quick['rate']:10.0f}{throttled['rate']:11.0f}"
-                    f"{statistics.median(quick['painting']):9.1f} ms"
-                )
-            page.context.close()
+            if "<kalman-explorer" in path.read_text(encoding="utf-8"):
+                name = path.relative_to(SITE).as_posix()
+                time_page(browser, f"http://127.0.0.1:{server.server_port}/{name}")
         browser.close()
         server.shutdown()
+
+
+def print_sizes():
+    folder = SITE / "en" / "_static" / "vendor" / "explorers"
+    sizes = {}
+    for file in sorted(folder.iterdir()):
+        sizes[file.name] = len(gzip.compress(file.read_bytes(), 9)) / 1000
+    core = sizes.pop("core.js") + sizes.pop("core.css")
+    print(
+        f"gzip: the core {core:.1f} kB, and with one paper (of 45 kB):",
+        ", ".join(f"{name.removesuffix('.js')} {core + size:.1f}" for name, size in sizes.items()),
+    )
+
+
+def time_page(browser, address):
+    """One line for each explorer of a page."""
+    window = {"width": 1280, "height": 900}
+    page = browser.new_context(viewport=window, service_workers="block").new_page()
+    page.goto(address)
+    slow = page.context.new_cdp_session(page)
+    keys = page.evaluate(
+        "[...document.querySelectorAll('kalman-explorer')].map(e => e.explorer?.key)"
+    )
+    for index, key in enumerate(keys):
+        if key is None:
+            continue
+        quick = page.evaluate(DRAG, [index, 240])
+        slow.send("Emulation.setCPUThrottlingRate", {"rate": 4})
+        throttled = page.evaluate(DRAG, [index, 240])
+        slow.send("Emulation.setCPUThrottlingRate", {"rate": 1})
+        work = sorted(quick["work"])
+        print(
+            f"{key:18}{statistics.median(work):9.2f} ms,"
+            f" 95 %{work[int(0.95 * len(work))]:6.2f}"
+            f"{statistics.median(quick['painted']):15.1f} ms"
+            f"{quick['rate']:10.0f}{throttled['rate']:11.0f}"
+            f"{statistics.median(quick['painting']):9.1f} ms"
+        )
+    page.context.close()
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
 """What several test files share: outside programs, the built site, a real browser."""
+
 import functools
 import http.server
 import os
@@ -15,15 +16,27 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "book" / "_ext"))
 
-# What Chromium leaves out. The first two are hidden pages that belong to the address bar: with them every window that a
-# test opens loads three pages instead of one. The others are on Playwright's own list, which ours replaces.
-LEFT_OUT = ["WebUIOmniboxPopup", "WebUIOmniboxAimPopup",
-            "AvoidUnnecessaryBeforeUnloadCheckSync", "DestroyProfileOnBrowserClose", "HttpsUpgrades", "HttpsFirstBalancedModeAutoEnable",
-            "MediaRouter", "NetworkTimeServiceQuerying", "OptimizationHints", "PaintHolding", "ThirdPartyStoragePartitioning"]
+# What Chromium leaves out. The first two are hidden pages that belong to the address bar: with them
+# every window that a test opens loads three pages instead of one. The others are on Playwright's
+# own list, which ours replaces.
+LEFT_OUT = [
+    "WebUIOmniboxPopup",
+    "WebUIOmniboxAimPopup",
+    "AvoidUnnecessaryBeforeUnloadCheckSync",
+    "DestroyProfileOnBrowserClose",
+    "HttpsUpgrades",
+    "HttpsFirstBalancedModeAutoEnable",
+    "MediaRouter",
+    "NetworkTimeServiceQuerying",
+    "OptimizationHints",
+    "PaintHolding",
+    "ThirdPartyStoragePartitioning",
+]
 
 
 def need_program(*names, install):
-    """The path of the first program found. Missing: skip with one line, or fail where KALMAN_STRICT=1 (CI)."""
+    """The path of the first program found. Missing: skip with one line, or fail where
+    KALMAN_STRICT=1 (CI)."""
     for name in names:
         if path := shutil.which(name):
             return path
@@ -35,43 +48,74 @@ def need_program(*names, install):
 
 @pytest.fixture(scope="session")
 def chromium():
-    """Debian's Chromium under Playwright; a test opens contexts of its own (chromium.new_context)."""
+    """Debian's Chromium under Playwright; a test opens contexts of its own
+    (chromium.new_context)."""
     from playwright.sync_api import sync_playwright
-    path = need_program("chromium", "chromium-browser", "google-chrome", install="apt-get install chromium")
+
+    path = need_program(
+        "chromium", "chromium-browser", "google-chrome", install="apt-get install chromium"
+    )
     with tempfile.TemporaryDirectory() as profile, sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=path, args=[
-            "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-            "--disable-component-update", "--disable-sync", f"--disk-cache-dir={profile}",
-            f"--disable-features={','.join(LEFT_OUT)}"])
+        browser = playwright.chromium.launch(
+            executable_path=path,
+            args=[
+                "--no-sandbox",
+                "--disable-gpu",
+                "--disable-quic",
+                "--no-first-run",
+                "--disable-background-networking",
+                "--disable-component-update",
+                "--disable-sync",
+                f"--disk-cache-dir={profile}",
+                f"--disable-features={','.join(LEFT_OUT)}",
+            ],
+        )
         yield browser
         browser.close()
 
 
 @pytest.fixture(scope="session")
 def site():
-    """The built book, _build/site; built first if anything changed since (seconds, or nothing to do)."""
-    result = subprocess.run([sys.executable, str(ROOT / "book" / "build.py")], cwd=ROOT, capture_output=True, text=True)
+    """The built book, _build/site; built first if anything changed since (seconds, or nothing to
+    do)."""
+    result = subprocess.run(
+        [sys.executable, str(ROOT / "book" / "build.py")], cwd=ROOT, capture_output=True, text=True
+    )
     if result.returncode != 0:
-        reasons = [line for line in (result.stdout + result.stderr).splitlines() if "WARNING" in line or "Error" in line]
-        pytest.fail("the book does not build (python book/build.py):\n" + "\n".join(reasons[:10]), pytrace=False)
+        reasons = [
+            line
+            for line in (result.stdout + result.stderr).splitlines()
+            if "WARNING" in line or "Error" in line
+        ]
+        pytest.fail(
+            "the book does not build (python book/build.py):\n" + "\n".join(reasons[:10]),
+            pytrace=False,
+        )
     return ROOT / "_build" / "site"
 
 
 @pytest.fixture(scope="session")
 def server(site):
     """The address of the site over http, as any static server gives it."""
+
     class Quiet(http.server.SimpleHTTPRequestHandler):
         def log_message(self, *args):
             pass
 
     class Server(http.server.ThreadingHTTPServer):
-        def handle_error(self, request, address):       # a page was closed before it had everything
+        def handle_error(self, request, address):  # a page was closed before it had everything
             pass
 
     with Server(("127.0.0.1", 0), functools.partial(Quiet, directory=str(site))) as httpd:
         threading.Thread(target=httpd.serve_forever, daemon=True).start()
         yield f"http://127.0.0.1:{httpd.server_port}"
         httpd.shutdown()
+
+
+@pytest.fixture(scope="session")
+def bases(site, server):
+    """The two ways to open the book."""
+    return {"http": server, "file": site.as_uri()}
 
 
 def listen(page):
@@ -117,6 +161,7 @@ def opened(site, server, chromium):
             page.evaluate("document.fonts.ready.then(() => true)")
             kept[key] = page, trouble
         return kept[key]
+
     yield open_page
     for context in contexts:
         context.close()
@@ -124,8 +169,10 @@ def opened(site, server, chromium):
 
 @pytest.fixture(scope="session")
 def bundle(chromium, tmp_path_factory):
-    """A blank page with the core and all papers, in both languages: for what the explorers compute."""
+    """A blank page with the core and all papers, in both languages: for what the explorers
+    compute."""
     import explorers
+
     folder = tmp_path_factory.mktemp("explorers")
     papers = explorers.bundle(folder, None)
     page = chromium.new_page()
@@ -133,6 +180,8 @@ def bundle(chromium, tmp_path_factory):
         page.add_script_tag(path=folder / f"{name}.js")
     yield page
     page.close()
+
+
 @pytest.fixture
 def flag(tmp_path):
     """The file that makes the accident of accident.py happen, as long as it exists."""

@@ -5,8 +5,8 @@ import functools
 import importlib
 
 import numpy as np
-
 from explorer_helpers import SETS, value_in
+
 from kalman_lib.papers import describe
 
 
@@ -23,14 +23,12 @@ def parameter_sets(Params, rng):
         and meta["min"] == 1
     }
     near = [
-        Params(
-            **{
-                name: meta["default"]
-                if name in whole
-                else min(max(meta["default"] * rng.uniform(0.85, 1.15), meta["min"]), meta["max"])
-                for name, meta in table.items()
-            }
-        )
+        Params(**{
+            name: meta["default"]
+            if name in whole
+            else min(max(meta["default"] * rng.uniform(0.85, 1.15), meta["min"]), meta["max"])
+            for name, meta in table.items()
+        })
         for _ in range(SETS)
     ]
     places = [{name: end} for name in table for end in (0, 1)] + [
@@ -39,12 +37,9 @@ def parameter_sets(Params, rng):
     yield Params()
     for place in places:
         values = {name: value_in(table[name], at) for name, at in place.items()}
-        yield Params(
-            **{
-                name: round(value) if name in whole else float(value)
-                for name, value in values.items()
-            }
-        )
+        yield Params(**{
+            name: round(value) if name in whole else float(value) for name, value in values.items()
+        })
     yield from near
 
 

@@ -6,10 +6,10 @@ import math
 import pkgutil
 
 import numpy as np
+from conftest import ROOT
 
 import kalman_lib.papers
-from conftest import ROOT
-from kalman_lib.spreadsheet import InputError
+from kalman_lib.data import InputError
 
 SOURCES = ROOT / "book" / "explorers"
 PAPERS = sorted(module.name for module in pkgutil.iter_modules(kalman_lib.papers.__path__))
@@ -20,7 +20,7 @@ RELATIVE, SCALE = (
     1e-12,
 )  # |js - py| <= RELATIVE |py| + SCALE max |py| of that component over time
 
-# --- explorers of the built book ------------------------------------------------------------------
+# --- explorers of the built book ----------------------------------------------------------------
 
 
 def pages_with_explorers(site, language):
@@ -68,7 +68,7 @@ def set_state(element, **changes):
     shown(element)
 
 
-# --- what they show -------------------------------------------------------------------------------
+# --- what they show -----------------------------------------------------------------------------
 
 PICTURE = """
   const pixels = canvas => {
@@ -114,16 +114,14 @@ def estimates(element):
     return np.array(element.evaluate("e => Array.from(e.explorer.r.result.x)"))
 
 
-# --- numbers --------------------------------------------------------------------------------------
+# --- numbers ------------------------------------------------------------------------------------
 
 
 def listed(values):
     """Numbers as JSON can hold them: NaN is null."""
-    return (
-        None
-        if values is None
-        else [None if value != value else value for value in np.ravel(values).tolist()]
-    )
+    if values is None:
+        return None
+    return [None if math.isnan(value) else value for value in np.ravel(values).tolist()]
 
 
 def close(ours, theirs, columns, doubt=0):
@@ -159,7 +157,7 @@ def value_in(meta, low_to_high):
     return low + low_to_high * (high - low)
 
 
-# --- what readers bring ---------------------------------------------------------------------------
+# --- what readers bring -------------------------------------------------------------------------
 
 
 def javascript(page, call, *arguments):

@@ -4,8 +4,8 @@ import dataclasses
 
 import numpy as np
 import pytest
-
 from explorer_helpers import SETS, close, explorer_of, set_state, shown
+
 from kalman_lib import kalman_filter
 from kalman_lib.papers import beetle
 

@@ -11,12 +11,12 @@ from types import SimpleNamespace
 import explorers as explorers_to_bundle
 import offline
 import pytest
-
 from conftest import ROOT
 from explorer_helpers import PAPERS, SOURCES, pages_with_explorers
+
 from kalman_lib.papers import describe
 
-# --- who may import whom --------------------------------------------------------------------------
+# --- who may import whom ------------------------------------------------------------------------
 
 ALLOWED = {
     "numerics": {"numerics"},
@@ -79,7 +79,7 @@ def test_the_files_are_formatted_and_linted():
         assert made.returncode == 0, made.stdout + made.stderr
 
 
-# --- what a page loads ----------------------------------------------------------------------------
+# --- what a page loads --------------------------------------------------------------------------
 
 
 def shown_in(path):
@@ -147,7 +147,7 @@ def test_a_page_loads_the_words_of_its_language(site):
                     ], texts
 
 
-# --- what stops the build -------------------------------------------------------------------------
+# --- what stops the build -----------------------------------------------------------------------
 
 
 @pytest.fixture

@@ -1,7 +1,6 @@
 """The figures of the explorers are painted by a second thread, and look the same without it."""
 
 import pytest
-
 from explorer_helpers import pages_with_explorers, shown
 
 

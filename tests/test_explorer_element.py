@@ -6,7 +6,6 @@ Explorers are found in the built pages; none is listed here.
 import re
 
 import pytest
-
 from conftest import ROOT
 from explorer_helpers import (
     PAPERS,
@@ -60,11 +59,11 @@ def test_print_and_no_script_show_the_picture(site, server, chromium, opened):
     context.close()
 
 
-# --- everyone -------------------------------------------------------------------------------------
+# --- everyone -----------------------------------------------------------------------------------
 
 
 def test_every_slider_moves_the_picture(site, opened):
-    for name, page, trouble, element in explorers(site, opened):
+    for name, _, trouble, element in explorers(site, opened):
         dead = element.evaluate(
             """async e => {"""
             + PICTURE
@@ -277,7 +276,7 @@ def test_a_finger_that_scrolls_over_a_figure_changes_nothing(site, opened):
 @pytest.mark.parametrize("width", [640, 320])
 def test_zoomed_in_nothing_is_cut_off(width, site, opened):
     """A window of 1280 pixels zoomed to 200 % and to 400 % leaves the page 640 and 320 of them."""
-    for name, page, trouble, element in explorers(
+    for name, page, _, element in explorers(
         site, opened, viewport={"width": width, "height": 450}, device_scale_factor=1280 / width
     ):
         wide = element.evaluate("""e => {

@@ -5,10 +5,11 @@ import json
 import random
 
 import pytest
-
-import test_spreadsheet
+import test_table
 from explorer_helpers import as_in_python, javascript
-from kalman_lib.spreadsheet import read_file, read_text
+from workbook_helpers import xlsx
+
+from kalman_lib.data import read_file, read_text
 
 
 def cases(test):
@@ -19,10 +20,10 @@ def cases(test):
 KNOWN = [
     case[0]
     for test in (
-        test_spreadsheet.test_text_is_read,
-        test_spreadsheet.test_the_decimal_sign_can_be_chosen,
-        test_spreadsheet.test_the_note_says_what_was_chosen,
-        test_spreadsheet.test_what_cannot_be_read_is_named_in_both_languages,
+        test_table.test_text_is_read,
+        test_table.test_the_decimal_sign_can_be_chosen,
+        test_table.test_the_note_says_what_was_chosen,
+        test_table.test_what_cannot_be_read_is_named_in_both_languages,
     )
     for case in cases(test)
 ]
@@ -83,64 +84,31 @@ OURS = [
 ]
 
 
+PIECES = [
+    "1", "2", "12", "345", "000", ".", ",", ",", ";", "\t", " ", "  ", "\n", "\n", "\n", "\r\n",
+    "-", "\u2212", "e5", "NA", "x", "Suhu", '"', '""', "inf", "+", "=1", "'", "\\", "/",
+]  # fmt: skip
+
+
+CELLS = ["1,5", "2.5", "1.234", "1,234", "3", "NA", "", "1.234,5", "-4", "word", "1e3", '"1,5"']
+
+
 def random_texts(count):
     rng = random.Random(2)
-    pieces = [
-        "1",
-        "2",
-        "12",
-        "345",
-        "000",
-        ".",
-        ",",
-        ",",
-        ";",
-        "\t",
-        " ",
-        "  ",
-        "\n",
-        "\n",
-        "\n",
-        "\r\n",
-        "-",
-        "\u2212",
-        "e5",
-        "NA",
-        "x",
-        "Suhu",
-        '"',
-        '""',
-        "inf",
-        "+",
-        "=1",
-        "'",
-        "\\",
-        "/",
-    ]
     for _ in range(count):
-        yield "".join(rng.choices(pieces, k=rng.randint(1, 25)))
-    for _ in range(count):  # whole tables
-        separator, cells = (
-            rng.choice(["\t", ";", ",", " ", ", "]),
-            [
-                "1,5",
-                "2.5",
-                "1.234",
-                "1,234",
-                "3",
-                "NA",
-                "",
-                "1.234,5",
-                "-4",
-                "word",
-                "1e3",
-                '"1,5"',
-            ],
-        )
-        width, few = rng.randint(1, 3), rng.sample(cells, rng.randint(1, 4))
-        yield rng.choice(["", "a\n", separator.join(["t", "v", "w"][:width]) + "\n"]) + "\n".join(
-            separator.join(rng.choices(few, k=width)) for _ in range(rng.randint(1, 6))
-        )
+        yield "".join(rng.choices(PIECES, k=rng.randint(1, 25)))
+    for _ in range(count):
+        yield random_table(rng)
+
+
+def random_table(rng):
+    separator = rng.choice(["\t", ";", ",", " ", ", "])
+    width = rng.randint(1, 3)
+    few = rng.sample(CELLS, rng.randint(1, 4))
+    head = separator.join(["t", "v", "w"][:width]) + "\n"
+    start = rng.choice(["", "a\n", head])
+    rows = [separator.join(rng.choices(few, k=width)) for _ in range(rng.randint(1, 6))]
+    return start + "\n".join(rows)
 
 
 @pytest.mark.parametrize("decimal", [None, ",", "."])
@@ -173,10 +141,10 @@ def test_files_are_read_as_in_python(bundle):
     )
     files = [
         ("Data.CSV", text.encode(encoding))
-        for encoding in cases(test_spreadsheet.test_every_encoding_of_a_text_file_is_read)
+        for encoding in cases(test_table.test_every_encoding_of_a_text_file_is_read)
     ] + [("a.tsv", b"1\t2\n"), ("b.txt", b"1\nx")]
-    refused = [case for case in cases(test_spreadsheet.test_another_kind_of_file_is_refused)] + [
-        ("a.xlsx", test_spreadsheet.xlsx([[1], [2]])),
+    refused = list(cases(test_table.test_another_kind_of_file_is_refused)) + [
+        ("a.xlsx", xlsx([[1], [2]])),
         ("<b>.exe", b"MZ\0\0"),
         ("csv", b"1"),
     ]

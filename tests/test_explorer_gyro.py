@@ -4,8 +4,8 @@ import re
 
 import numpy as np
 import pytest
-
 from explorer_helpers import RELATIVE, explorer_of, set_state, shown
+
 from kalman_lib.papers import gyro
 
 

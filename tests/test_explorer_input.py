@@ -1,7 +1,6 @@
 """What readers type into the explorers: addresses, numbers, answers. Nothing of it can harm."""
 
 import pytest
-
 from explorer_helpers import explorers, live, pages_with_explorers, picture, shown
 
 # The explorer that belongs to a key of the address
@@ -10,7 +9,7 @@ WITH_KEY = (
 )
 
 
-# --- the address, and bad input -------------------------------------------------------------------
+# --- the address, and bad input -----------------------------------------------------------------
 
 
 def test_the_address_keeps_the_settings(site, opened, server, chromium):
@@ -83,7 +82,7 @@ def test_a_bad_address_is_refused_in_one_sentence(language, bad, site, opened):
 
 
 def test_bad_numbers_are_refused_and_the_picture_stays(site, opened):
-    for name, page, _, element in explorers(site, opened):
+    for name, _, _, element in explorers(site, opened):
         field = element.locator(
             ".explorer-control:visible input.explorer-value:not(:disabled)"
         ).last
@@ -105,7 +104,7 @@ def test_bad_numbers_are_refused_and_the_picture_stays(site, opened):
         message.wait_for(state="hidden")
 
 
-# --- the hand check -------------------------------------------------------------------------------
+# --- the hand check -----------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("language", ["id", "en"])

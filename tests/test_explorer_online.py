@@ -4,27 +4,57 @@ import re
 
 import numpy as np
 import pytest
-
 from explorer_helpers import estimates, picture, shown
+
 from kalman_lib.papers import smoother
 
 nan = np.nan
+
+
+WORDS = {
+    "clear": {"id": "Kosongkan", "en": "Clear"},
+    "none": {"id": "Belum ada pengukuran", "en": "No measurement yet"},
+    "field": {"id": "Pengukuran baru", "en": "New measurement"},
+    "add": {"id": "Tambahkan", "en": "Add"},
+    "silent": {"id": "Tidak datang", "en": "It does not arrive"},
+    "was silent": {"id": "tidak datang", "en": "did not arrive"},
+    "drop": {"id": "Buang yang terakhir", "en": "Drop the last one"},
+}
 
 
 @pytest.mark.parametrize("language", ["id", "en"])
 def test_the_online_view(language, opened, site):
     page, trouble = opened(site / language / "notebooks" / "02_smoother.html")
     element = page.locator("kalman-explorer[view=online]")
+    word = {name: words[language] for name, words in WORDS.items()}
     assert element.evaluate("e => e.explorer.key") == "smoother.online"
-    element.get_by_role("button", name={"id": "Kosongkan", "en": "Clear"}[language]).click()
+    click(element, word["clear"])
+    assert word["none"] in outcome(element)
+    field = element.get_by_label(word["field"])
+    z = type_numbers(element, field, element.get_by_role("button", name=word["add"]))
+    click(element, word["silent"])
+    p = smoother.Params(Q=1e-3, R=0.09, P0=1000)
+    x, *_ = smoother.scalar_filter(np.array([*z, nan]), p)
+    np.testing.assert_allclose(estimates(element), x, rtol=1e-12)
+    assert word["was silent"] in outcome(element)
+    refuse_bad_numbers(element, field)
+    click(element, word["drop"])
+    assert len(estimates(element)) == 3 and trouble == []
+    assert re.search(r"K\s*=", element.locator(".explorer-equations").inner_text())
+    element.evaluate("e => e.explorer.reset()")
+
+
+def click(element, name):
+    element.get_by_role("button", name=name).click()
     shown(element)
-    assert {"id": "Belum ada pengukuran", "en": "No measurement yet"}[language] in element.locator(
-        ".explorer-outcome"
-    ).inner_text()
-    field, button = (
-        element.get_by_label({"id": "Pengukuran baru", "en": "New measurement"}[language]),
-        element.get_by_role("button", name={"id": "Tambahkan", "en": "Add"}[language]),
-    )
+
+
+def outcome(element):
+    return element.locator(".explorer-outcome").inner_text()
+
+
+def type_numbers(element, field, button):
+    """Three measurements, with Enter and with the button -> their values."""
     z = []
     for text, value in (("25,5", 25.5), ("26.5", 26.5), ("\u22121e1", -10)):
         field.fill(text)
@@ -35,32 +65,15 @@ def test_the_online_view(language, opened, site):
         shown(element)
         z.append(value)
         assert field.input_value() == ""
-    element.get_by_role(
-        "button", name={"id": "Tidak datang", "en": "It does not arrive"}[language]
-    ).click()
-    shown(element)
-    p = smoother.Params(Q=1e-3, R=0.09, P0=1000)
-    np.testing.assert_allclose(
-        estimates(element), smoother.scalar_filter(np.array([*z, nan]), p)[0], rtol=1e-12
-    )
-    assert {"id": "tidak datang", "en": "did not arrive"}[language] in element.locator(
-        ".explorer-outcome"
-    ).inner_text()
+    return z
+
+
+def refuse_bad_numbers(element, field):
     before = picture(element)
     for bad in ("", "abc", "<b>1</b>", "=1+1", "1e999", "NaN"):
         field.fill(bad)
         field.press("Enter")
         message = element.locator(".explorer-message")
         message.wait_for(state="visible")
-        assert (
-            bad in message.inner_text()
-            and message.locator("*").count() == 0
-            and picture(element) == before
-        )
-    element.get_by_role(
-        "button", name={"id": "Buang yang terakhir", "en": "Drop the last one"}[language]
-    ).click()
-    shown(element)
-    assert len(estimates(element)) == 3 and trouble == []
-    assert re.search(r"K\s*=", element.locator(".explorer-equations").inner_text())
-    element.evaluate("e => e.explorer.reset()")
+        assert bad in message.inner_text() and message.locator("*").count() == 0
+        assert picture(element) == before

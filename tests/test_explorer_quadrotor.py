@@ -6,8 +6,8 @@ import json
 
 import numpy as np
 import pytest
-
 from explorer_helpers import SCALE, close, listed, value_in
+
 from kalman_lib import kalman_filter, nis
 from kalman_lib.papers import describe, quadrotor
 
@@ -92,31 +92,11 @@ def test_the_attitude_filter_of_the_page_is_pythons(bundle):
         for name, method, change in asked
     ]
     for (name, *_), question in zip(asked, questions):
-        (t, gyr, acc, mag, rest_s), truth = recordings()[name]
         how = dataclasses.replace(quadrotor.METHODS[question["method"]], **question["how"])
-        result = quadrotor.attitude(t, gyr, acc, mag, rest_s, how)
-        theirs.append(
-            {key: getattr(result, key) for key in ("angles", "z", "u", "s", "y", "P", "R")}
-            | {
-                "dynamic": quadrotor.is_dynamic(
-                    t, mag, t - t[0] <= rest_s, how.window, how.threshold
-                )[:, np.newaxis],
-                "galat": quadrotor.galat(truth, result.angles)[np.newaxis],
-                "rmse_deg": quadrotor.rmse_deg(truth, result.angles)[np.newaxis],
-            }
-        )
-    parts = dict(zip(("t", "gyr", "acc", "mag", "rest_s"), range(5)))
-    flights = [
-        {"truth": listed(truth)}
-        | {
-            part: listed(sensors[i]) if part != "rest_s" else sensors[i]
-            for part, i in parts.items()
-        }
-        for sensors, truth in recordings().values()
-    ]
+        theirs.append(by_python(name, how))
     found = []
     for (name, method, change), expected, answer in zip(
-        asked, theirs, ask_in_parts(bundle, flights, questions)
+        asked, theirs, ask_in_parts(bundle, all_flights(), questions)
     ):
         for key, values in expected.items():
             got = np.array(
@@ -130,19 +110,41 @@ def test_the_attitude_filter_of_the_page_is_pythons(bundle):
     assert found[:5] == [] and len(asked) > 65
 
 
+def by_python(name, how):
+    """What the filter and its measures give on a recording, (T, 3) or (1, 3)."""
+    (t, gyr, acc, mag, rest_s), truth = recordings()[name]
+    result = quadrotor.attitude(t, gyr, acc, mag, rest_s, how)
+    rest = t - t[0] <= rest_s
+    dynamic = quadrotor.is_dynamic(t, mag, rest, how.window, how.threshold)
+    return {
+        **{key: getattr(result, key) for key in ("angles", "z", "u", "s", "y", "P", "R")},
+        "dynamic": dynamic[:, np.newaxis],
+        "galat": quadrotor.galat(truth, result.angles)[np.newaxis],
+        "rmse_deg": quadrotor.rmse_deg(truth, result.angles)[np.newaxis],
+    }
+
+
+def all_flights():
+    """The recordings as the page gets them."""
+    found = []
+    for (t, gyr, acc, mag, rest_s), truth in recordings().values():
+        parts = {"t": t, "gyr": gyr, "acc": acc, "mag": mag, "truth": truth}
+        found.append({name: listed(values) for name, values in parts.items()})
+        found[-1]["rest_s"] = rest_s
+    return found
+
+
 def ask_in_parts(page, flights, questions):
     """The answers of the page, a few at a time: one text of all would hold a hundred megabytes."""
     for start in range(0, len(questions), 6):
         some = questions[start : start + 6]
         used = sorted({question["flight"] for question in some})
-        text = json.dumps(
-            {
-                "flights": [flights[i] for i in used],
-                "questions": [
-                    question | {"flight": used.index(question["flight"])} for question in some
-                ],
-            }
-        )
+        text = json.dumps({
+            "flights": [flights[i] for i in used],
+            "questions": [
+                question | {"flight": used.index(question["flight"])} for question in some
+            ],
+        })
         yield from json.loads(page.evaluate(ATTITUDE, text))
 
 
@@ -160,15 +162,13 @@ def test_the_sensors_alone_say_what_they_say_in_python(bundle):
         [v.tolist(), angles.tolist()],
     )
     rates = [quadrotor.euler_rates(row, *angle) for row, angle in zip(v, angles)]
-    theirs = np.column_stack(
-        [
-            quadrotor.tilt(v),
-            quadrotor.printed_tilt(v),
-            quadrotor.heading(v, *angles.T),
-            rates,
-            quadrotor.wrap(angles),
-        ]
-    )
+    theirs = np.column_stack([
+        quadrotor.tilt(v),
+        quadrotor.printed_tilt(v),
+        quadrotor.heading(v, *angles.T),
+        rates,
+        quadrotor.wrap(angles),
+    ])
     assert close(np.ravel(ours), theirs, theirs.shape[1]) is None
 
 
@@ -209,22 +209,17 @@ def test_the_flight_of_the_page_is_flown_as_pythons(bundle):
     })""",
         dataclasses.asdict(quadrotor.Params()),
     )
-    theirs = []
-    for seed in range(6):
-        flight = quadrotor.simulate(quadrotor.Params(), np.random.default_rng(seed))
-        result = kalman_filter(quadrotor.model(quadrotor.Params()), flight.z, flight.u)
-        theirs.append(
-            [
-                *np.ravel(
-                    [
-                        quadrotor.rmse_deg(flight.truth, quadrotor.estimate(*flight.sensors, name))[
-                            :2
-                        ]
-                        for name in ("literal", "paper", "adaptive")
-                    ]
-                ),
-                *quadrotor.rmse_deg(flight.truth, flight.z),
-                nis(result.y, result.S).mean(),
-            ]
-        )
+    theirs = [errors_by_python(seed) for seed in range(6)]
     assert np.mean(numbers, axis=0) == pytest.approx(np.mean(theirs, axis=0), rel=0.25)
+
+
+def errors_by_python(seed):
+    """RMSE of roll and pitch by the three methods and by the sensors alone, degrees; mean NIS."""
+    p = quadrotor.Params()
+    flight = quadrotor.simulate(p, np.random.default_rng(seed))
+    result = kalman_filter(quadrotor.model(p), flight.z, flight.u)
+    methods = ("literal", "paper", "adaptive")
+    estimates = [quadrotor.estimate(*flight.sensors, name) for name in methods]
+    errors = [quadrotor.rmse_deg(flight.truth, angles)[:2] for angles in estimates]
+    alone = quadrotor.rmse_deg(flight.truth, flight.z)
+    return [*np.ravel(errors), *alone, nis(result.y, result.S).mean()]

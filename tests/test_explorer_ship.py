@@ -6,8 +6,8 @@ import re
 
 import numpy as np
 import pytest
-
 from explorer_helpers import RELATIVE, SETS, explorer_of, picture, set_state, shown
+
 from kalman_lib import kalman_filter, rts_smooth
 from kalman_lib.papers import ship
 
@@ -96,16 +96,7 @@ def own_run(rows=200):
 def test_ship_filters_a_recording_of_the_reader_as_python_does(way, language, site, opened):
     page, _, element = explorer_of("ship", site, opened, language)
     text, t, z = own_run()
-    if way == "pasted":
-        element.locator("textarea").fill(text)
-    else:
-        element.locator("input[type=file]").set_input_files(
-            {"name": "kapal.csv", "mimeType": "text/csv", "buffer": text.encode()}
-        )
-        page.wait_for_function(
-            "e => e.explorer.r.data.truth === null", arg=element.element_handle()
-        )
-    shown(element)
+    hand_over(text, way, page, element)
     element.locator("select").nth(0).select_option("ms")
     element.locator("select").nth(1).select_option("km/h")
     element.get_by_text({"id": "penghalus", "en": "smoother"}[language]).first.click()
@@ -130,6 +121,23 @@ def test_ship_filters_a_recording_of_the_reader_as_python_does(way, language, si
         assert np.allclose(r[name], theirs, rtol=RELATIVE, atol=1e-12), name
     outcome = element.locator(".explorer-outcome").inner_text()
     assert getattr(ship.sampling(t), language) in outcome
+    then_an_uneven_one_and_back(text, language, element)
+    element.evaluate("e => e.explorer.reset()")
+
+
+def hand_over(text, way, page, element):
+    """Give the recording to the explorer: pasted, or as a file."""
+    if way == "pasted":
+        element.locator("textarea").fill(text)
+    else:
+        file = {"name": "kapal.csv", "mimeType": "text/csv", "buffer": text.encode()}
+        element.locator("input[type=file]").set_input_files(file)
+        is_read = "e => e.explorer.r.data.truth === null"
+        page.wait_for_function(is_read, arg=element.element_handle())
+    shown(element)
+
+
+def then_an_uneven_one_and_back(text, language, element):
     uneven = text.replace("\n500\t", "\n510\t")
     element.locator("textarea").fill(uneven)
     shown(element)
@@ -142,7 +150,6 @@ def test_ship_filters_a_recording_of_the_reader_as_python_does(way, language, si
         element.evaluate("e => e.explorer.r.data.truth !== null")
         and element.locator("textarea").input_value() == ""
     )
-    element.evaluate("e => e.explorer.reset()")
 
 
 BAD_RECORDINGS = [
@@ -182,9 +189,11 @@ def test_ship_refuses_what_is_no_recording_in_one_sentence(language, site, opene
         "foto.csv": bytes(range(256)),
         "empty.txt": b"",
     }.items():
-        element.locator("input[type=file]").set_input_files(
-            {"name": name, "mimeType": "text/plain", "buffer": content}
-        )
+        element.locator("input[type=file]").set_input_files({
+            "name": name,
+            "mimeType": "text/plain",
+            "buffer": content,
+        })
         message.wait_for(state="visible")
         shown(element)
         assert message.inner_text().endswith(".") and picture(element) == drawn, name

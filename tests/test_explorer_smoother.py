@@ -5,16 +5,16 @@ import re
 
 import numpy as np
 import pytest
+from explorer_helpers import as_in_python, estimates, javascript, paste, picture, shown
 from openpyxl import load_workbook
 
-from explorer_helpers import as_in_python, estimates, javascript, paste, picture, shown
 from kalman_lib import kalman_filter, rts_smooth
+from kalman_lib.data import read_text
 from kalman_lib.papers import smoother
-from kalman_lib.spreadsheet import read_text
 
 nan = np.nan
 
-# --- the same numbers, beyond what test_explorer_parity.py compares -------------------------------
+# --- the same numbers, beyond what test_explorer_parity.py compares -----------------------------
 
 
 def test_lag_likelihood_and_smoother_as_in_python(bundle):
@@ -59,7 +59,7 @@ def test_lag_likelihood_and_smoother_as_in_python(bundle):
     )
 
 
-# --- the page -------------------------------------------------------------------------------------
+# --- the page -----------------------------------------------------------------------------------
 
 
 @pytest.fixture(params=["id", "en"])
@@ -104,9 +104,11 @@ def test_a_pasted_column_is_filtered(form):
         "1",
         "2",
     ]  # two columns, as read_text says
-    element.locator("input[type=file]").set_input_files(
-        {"name": "a.csv", "mimeType": "text/csv", "buffer": b"v\n7\n8\n9\n"}
-    )
+    element.locator("input[type=file]").set_input_files({
+        "name": "a.csv",
+        "mimeType": "text/csv",
+        "buffer": b"v\n7\n8\n9\n",
+    })
     element.page.wait_for_function(
         "e => e.explorer.r.z.length === 3 && e.explorer.r.z[0] === 7", arg=element.element_handle()
     )
@@ -166,9 +168,11 @@ def test_a_binary_file_is_refused(form):
         ("<b>x</b>.xlsx", b"PK\x03\x04\0"),
         ("a.exe", bytes(range(256))),
     ):
-        element.locator("input[type=file]").set_input_files(
-            {"name": name, "mimeType": "text/csv", "buffer": content}
-        )
+        element.locator("input[type=file]").set_input_files({
+            "name": name,
+            "mimeType": "text/csv",
+            "buffer": content,
+        })
         message = element.locator(".explorer-message")
         message.get_by_text(name).wait_for()
         assert (
@@ -201,7 +205,7 @@ def test_most_likely_Q_and_R(form):
     ) == pytest.approx([1469.18, 15098.5, 1120], rel=1e-4)
 
 
-# --- downloads ------------------------------------------------------------------------------------
+# --- downloads ----------------------------------------------------------------------------------
 
 
 def download(page, element, name):

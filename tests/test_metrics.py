@@ -1,4 +1,6 @@
-"""Error measures against SciPy, against definitions, and against the filter's own claim over many runs."""
+"""Error measures against SciPy, against definitions, and against the filter's own claim over many
+runs."""
+
 import numpy as np
 import pytest
 from scipy.stats import chi2
@@ -15,8 +17,14 @@ def test_chi_square_quantiles_are_scipy_s(dof):
 
 
 def test_bounds_of_a_mean():
-    assert chi2_bounds(2, runs=50) == pytest.approx([chi2.ppf(0.025, 100) / 50, chi2.ppf(0.975, 100) / 50])
-    assert chi2_bounds(1, probability=0.99) == pytest.approx([chi2.ppf(0.005, 1), chi2.ppf(0.995, 1)])
+    assert chi2_bounds(2, runs=50) == pytest.approx([
+        chi2.ppf(0.025, 100) / 50,
+        chi2.ppf(0.975, 100) / 50,
+    ])
+    assert chi2_bounds(1, probability=0.99) == pytest.approx([
+        chi2.ppf(0.005, 1),
+        chi2.ppf(0.995, 1),
+    ])
     with pytest.raises(ValueError, match="0 < p < 1"):
         chi2_quantile(1, 1)
 
@@ -44,7 +52,14 @@ def test_nees_and_nis_of_many_runs_are_those_of_every_run():
 
 def test_a_true_model_is_consistent_and_a_wrong_one_is_not():
     rng = np.random.default_rng(7)
-    truth = LinearModel(F=[[1, 0.5], [0, 1]], H=[[1, 0]], Q=0.1 * np.eye(2), R=0.05, x0=[0, 5], P0=np.diag([0.01, 1]))
+    truth = LinearModel(
+        F=[[1, 0.5], [0, 1]],
+        H=[[1, 0]],
+        Q=0.1 * np.eye(2),
+        R=0.05,
+        x0=[0, 5],
+        P0=np.diag([0.01, 1]),
+    )
     proud = LinearModel(F=truth.F, H=truth.H, Q=0.01 * truth.Q, R=truth.R, x0=truth.x0, P0=truth.P0)
     means = {}
     for name, model in (("true", truth), ("proud", proud)):

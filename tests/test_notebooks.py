@@ -1,4 +1,6 @@
-"""What every chapter and page owes its readers: two languages that say the same, short code, figures that are described."""
+"""What every chapter and page owes its readers: two languages that say the same, short code,
+figures that are described."""
+
 import json
 import re
 from pathlib import Path
@@ -39,21 +41,43 @@ def pairs(path):
 
 def plain(markdown):
     """Without code, mathematics, links' addresses and roles: the words alone."""
-    return re.sub(r"```.*?```|\$\$.*?\$\$|\$[^$]*\$|`[^`]*`|\{\w+\}|\]\([^)]*\)|<[^>]*>", " ", markdown, flags=re.DOTALL)
+    return re.sub(
+        r"```.*?```|\$\$.*?\$\$|\$[^$]*\$|`[^`]*`|\{\w+\}|\]\([^)]*\)|<[^>]*>",
+        " ",
+        markdown,
+        flags=re.DOTALL,
+    )
 
 
 def skeleton(markdown):
-    """What both languages must share: heading levels, equations, citations, links, exercises, list items, code."""
+    """What both languages must share: heading levels, equations, citations, links, exercises, list
+    items, code."""
     maths = re.findall(r"\$\$.+?\$\$|\$[^$\n]+\$", markdown, flags=re.DOTALL)
     return {
-        "headings": [len(level) for level in re.findall(r"^(#+) ", re.sub(r"```.*?```", "", markdown, flags=re.DOTALL),
-                                                        flags=re.MULTILINE)],
-        "equations": sorted(re.sub(r"\s+", "", m.replace("{,}", ".").replace(r",\;", ",").replace(r";\\", ",\\")
-                                   .replace(";", ",")) for m in maths),
+        "headings": [
+            len(level)
+            for level in re.findall(
+                r"^(#+) ", re.sub(r"```.*?```", "", markdown, flags=re.DOTALL), flags=re.MULTILINE
+            )
+        ],
+        "equations": sorted(
+            re.sub(
+                r"\s+",
+                "",
+                m.replace("{,}", ".").replace(r",\;", ",").replace(r";\\", ",\\").replace(";", ","),
+            )
+            for m in maths
+        ),
         "citations": sorted(re.findall(r"\{cite\}`([^`]+)`", markdown)),
-        "links": sorted(re.sub(r"(filter-kalman|kalman-filter)\.zip", "zip", link)
-                        for link in re.findall(r'\]\(([^)]+)\)|href="([^"]+)"', markdown) for link in link if link),
-        "exercises": len(re.findall(r"^\*\*(?:Latihan|Exercise) \d+", markdown, flags=re.MULTILINE)),
+        "links": sorted(
+            re.sub(r"(filter-kalman|kalman-filter)\.zip", "zip", link)
+            for link in re.findall(r'\]\(([^)]+)\)|href="([^"]+)"', markdown)
+            for link in link
+            if link
+        ),
+        "exercises": len(
+            re.findall(r"^\*\*(?:Latihan|Exercise) \d+", markdown, flags=re.MULTILINE)
+        ),
         "items": len(re.findall(r"^\s*(?:[-*]|\d+\.) ", markdown, flags=re.MULTILINE)),
         "rows": len(re.findall(r"^\|", markdown, flags=re.MULTILINE)),
         "code": re.findall(r"^```bash\n(.*?)```", markdown, flags=re.DOTALL | re.MULTILINE),
@@ -84,10 +108,16 @@ def test_both_languages_have_the_same_skeleton(path):
             assert a[part] == b[part], f"{part} of: {indonesian.strip()[:70]}"
 
 
-@pytest.mark.parametrize("path", [path for path in NOTEBOOKS + PAGES if path.stem != "glossary"],  # it quotes other terms
-                         ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "path",
+    [path for path in NOTEBOOKS + PAGES if path.stem != "glossary"],  # it quotes other terms
+    ids=lambda path: path.stem,
+)
 def test_indonesian_speaks_to_us_in_the_book_s_own_terms(path):
-    unwanted = r"\b(anda|kamu|saya|standar deviasi|deviasi standar|kovarian|varian|penapis|tapis|taksiran|dimana|merubah)\b"
+    unwanted = (
+        r"\b(anda|kamu|saya|standar deviasi|deviasi standar|kovarian|varian|penapis|tapis|taksiran"
+        r"|dimana|merubah)\b"
+    )
     for indonesian, english in pairs(path):
         found = re.findall(unwanted, plain(indonesian), flags=re.IGNORECASE)
         assert not found, f"{found} in: {indonesian.strip()[:70]}"
@@ -99,7 +129,7 @@ def test_indonesian_speaks_to_us_in_the_book_s_own_terms(path):
 def test_code_cells_are_short(path):
     lengths = [len(text(cell).splitlines()) for cell in code_cells(path)]
     assert max(lengths) <= 12
-    assert median(lengths) <= 6
+    assert median(lengths) <= 9  # of 76 characters: as much as six lines of the width before
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
@@ -107,7 +137,9 @@ def test_every_figure_is_described_in_both_languages(path):
     figures = 0
     for cell in code_cells(path):
         data = [output.get("data", {}) for output in cell["outputs"]]
-        if any("image/png" in d or "kalman-explorer" in "".join(d.get("text/html", "")) for d in data):
+        if any(
+            "image/png" in d or "kalman-explorer" in "".join(d.get("text/html", "")) for d in data
+        ):
             figures += 1
             for words in (cell["metadata"]["book"]["alt"], cell["metadata"]["book"]["caption"]):
                 assert set(words) == {"id", "en"} and words["id"] != words["en"]
@@ -122,7 +154,7 @@ def test_only_live_widgets_skip_the_comparison(path):
         assert bool(skips) == bool(WIDGET.search(text(cell))), text(cell)
         assert "NBVAL" not in text(cell) and skips <= {"nbval-ignore-output"}
         if skips:
-            assert len(text(cell).splitlines()) == 1    # nothing else hides behind the widget
+            assert len(text(cell).splitlines()) == 1  # nothing else hides behind the widget
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
@@ -130,8 +162,11 @@ def test_outputs_are_stored_in_order_and_without_machine_traces(path):
     content = path.read_text(encoding="utf-8")
     counts = [cell["execution_count"] for cell in code_cells(path)]
     assert counts == list(range(1, len(counts) + 1))
-    assert not any(output["output_type"] == "error" or output.get("name") == "stderr"
-                   for cell in code_cells(path) for output in cell["outputs"])
+    assert not any(
+        output["output_type"] == "error" or output.get("name") == "stderr"
+        for cell in code_cells(path)
+        for output in cell["outputs"]
+    )
     assert not re.search(r"/home/|/root/|/tmp/|/Users/|C:\\\\", content)
     assert '"widgets"' not in content and "widget-view+json" not in content
 
@@ -139,7 +174,9 @@ def test_outputs_are_stored_in_order_and_without_machine_traces(path):
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_random_numbers_have_a_seed(path):
     for cell in code_cells(path):
-        assert not re.search(r"default_rng\(\s*\)|np\.random\.(?!default_rng)", text(cell)), text(cell)
+        assert not re.search(r"default_rng\(\s*\)|np\.random\.(?!default_rng)", text(cell)), text(
+            cell
+        )
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
@@ -152,7 +189,18 @@ def test_at_least_five_exercises_each_with_a_hidden_solution_that_checks_itself(
 
 
 def test_every_citation_is_used_and_known():
-    known = set(re.findall(r"^@\w+\{(\w+),", (ROOT / "book/references.bib").read_text(encoding="utf-8"), re.MULTILINE))
-    used = {key for path in NOTEBOOKS + PAGES for _, english in pairs(path)
-            for keys in skeleton(english)["citations"] for key in keys.split(",")}
+    known = set(
+        re.findall(
+            r"^@\w+\{(\w+),",
+            (ROOT / "book/references.bib").read_text(encoding="utf-8"),
+            re.MULTILINE,
+        )
+    )
+    used = {
+        key
+        for path in NOTEBOOKS + PAGES
+        for _, english in pairs(path)
+        for keys in skeleton(english)["citations"]
+        for key in keys.split(",")
+    }
     assert used == known

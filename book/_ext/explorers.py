@@ -1,8 +1,10 @@
-"""The live explorers: a core and one script per paper, made from book/explorers and loaded where they are needed.
+"""The live explorers: a core and one script per paper, made from book/explorers and loaded where
+they are needed.
 
-A page loads core.js and core.css once and the script of each paper it shows: classic scripts, because a browser refuses ES
-modules from file://. Every folder in book/explorers/papers belongs to the paper of the same name, and its ranges and words
-come from the Params of that paper. bundle.mjs does the bundling and leaves out the words of the other language.
+A page loads core.js and core.css once and the script of each paper it shows: classic scripts,
+because a browser refuses ES modules from file://. Every folder in book/explorers/papers belongs to
+the paper of the same name, and its ranges and words come from the Params of that paper. bundle.mjs
+does the bundling and leaves out the words of the other language.
 
 `python book/_ext/explorers.py FOLDER LANGUAGE` writes the files into FOLDER and does nothing else.
 """
@@ -55,7 +57,8 @@ def table(name, language):
 
 
 def bundle(target, language, sources=SOURCES):
-    """Write the scripts and the style sheet of one language (None: with both) into a folder -> {paper: its views}."""
+    """Write scripts and style sheet of one language (None: with both) into a folder ->
+    {paper: its views}."""
     papers = {name: table(name, language) for name in paper_names(sources)}
     question = {"sources": str(sources), "data": str(DATA), "language": language, "papers": papers}
     program = Path(__file__).with_name("bundle.mjs")
@@ -107,7 +110,8 @@ def problems(shown, views):
     """One sentence for every explorer of a page that does not exist."""
     for paper, view in shown:
         if paper not in views:
-            yield f'the explorer "{paper}" does not exist: book/explorers/papers/{paper}/index.js is missing'
+            folder = f"book/explorers/papers/{paper}"
+            yield f'the explorer "{paper}" does not exist: {folder}/index.js is missing'
         elif view is not None and view not in views[paper]:
             yield f'the explorer "{paper}" has no view "{view}"; it has {", ".join(views[paper])}'
 

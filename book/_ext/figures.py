@@ -1,9 +1,11 @@
 """Figures: words in the reader's language, no jumping layout.
 
-A figure holds symbols and units only, so that one figure serves both languages. Its words are metadata of the code cell:
+A figure holds symbols and units only, so that one figure serves both languages. Its words are
+metadata of the code cell:
 
     "book": {"alt": {"id": "...", "en": "..."}, "caption": {"id": "...", "en": "..."}}
 """
+
 import base64
 import html
 import io
@@ -14,19 +16,20 @@ from pathlib import Path
 from docutils import nodes
 from PIL import Image
 from sphinx.util import logging
-
-from languages import LANGUAGES
+from texts import LANGUAGES
 
 logger = logging.getLogger(__name__)
 EXPLORER = "<kalman-explorer"
 CAPTION = "book-caption"
+OLD_ALT = re.compile(r'(<img\b[^>]*?)\s+alt="[^"]*"')
 
 
 def take_words(app, docname, source):
-    """Take the words out of the cells before the notebook runs; the caption becomes a text cell below its figure.
+    """Take the words out of the cells before the notebook runs.
 
-    The cache of executed notebooks compares code cells with their metadata. Without the words there, one cache serves both
-    languages and a new caption runs nothing again.
+    The caption becomes a text cell below its figure. The cache of executed notebooks compares code
+    cells with their metadata: without the words there, one cache serves both languages, and a new
+    caption runs nothing again.
     """
     if Path(app.env.doc2path(docname)).suffix != ".ipynb":
         return
@@ -39,8 +42,12 @@ def take_words(app, docname, source):
         cells.append(cell)
         caption = words.get("caption", {}).get(app.config.language)
         if caption:
-            cells.append({"cell_type": "markdown", "id": f"caption-{len(cells)}", "metadata": {},
-                          "source": f"::::{{container}} {CAPTION}\n{caption}\n::::"})
+            cells.append({
+                "cell_type": "markdown",
+                "id": f"caption-{len(cells)}",
+                "metadata": {},
+                "source": f"::::{{container}} {CAPTION}\n{caption}\n::::",
+            })
     app.env.temp_data["alts"] = alts
     source[0] = json.dumps({**notebook, "cells": cells})
 
@@ -50,42 +57,56 @@ def is_cell_part(part):
 
 
 def place_words(app, doctree):
-    """Give every picture its alt text, which must exist in both languages, and join picture and caption to a figure."""
+    """Give every picture its alt text, and join picture and caption to a figure."""
     alts = app.env.temp_data.get("alts", {})
     for cell in doctree.findall(is_cell_part("cell_code")):
         images = list(cell.findall(nodes.image))
         explorers = [raw for raw in cell.findall(nodes.raw) if EXPLORER in raw.astext()]
-        if not images and not explorers:
-            continue
-        alt = alts.get(cell["cell_index"], {})
-        missing = [language for language in LANGUAGES if not alt.get(language, "").strip()]
-        if missing:
-            logger.warning('a figure without alt text in %s: the cell needs "book": {"alt": {"id": ..., "en": ...}}',
-                           ", ".join(missing), location=cell)
-            continue
-        for image in images:
-            image["alt"] = alt[app.config.language]
-        for raw in explorers:
-            text = re.sub(r'(<img\b[^>]*?)\s+alt="[^"]*"', r"\1", raw.astext())
-            text = text.replace("<img", f'<img alt="{html.escape(alt[app.config.language])}"', 1)
-            raw.children = []
-            raw += nodes.Text(text)
+        if images or explorers:
+            describe(cell, images, explorers, alts.get(cell["cell_index"], {}), app.config.language)
+    for number, caption in enumerate(list(doctree.findall(is_caption)), start=1):
+        join(caption, number)
 
-    captions = doctree.findall(lambda node: isinstance(node, nodes.container) and CAPTION in node["classes"])
-    for number, caption in enumerate(list(captions), start=1):
-        cell = caption.parent[caption.parent.index(caption) - 1]
-        outputs = list(cell.findall(is_cell_part("mime_bundle")))
-        if not outputs or len(caption) != 1:
-            logger.warning("a caption needs an output above it and has one paragraph", location=cell)
-            continue
-        figure = nodes.figure(ids=[f"figure-{number}"])  # the id makes Sphinx number it
-        outputs[-1].replace_self(figure)
-        figure += [outputs[-1], nodes.caption("", "", *caption[0].children)]
-        caption.parent.remove(caption)
+
+def describe(cell, images, explorers, alt, language):
+    """Write the alt text, which must exist in both languages."""
+    missing = [other for other in LANGUAGES if not alt.get(other, "").strip()]
+    if missing:
+        logger.warning(
+            "a figure without alt text in %s: the cell needs "
+            '"book": {"alt": {"id": ..., "en": ...}}',
+            ", ".join(missing),
+            location=cell,
+        )
+        return
+    for image in images:
+        image["alt"] = alt[language]
+    for raw in explorers:
+        text = OLD_ALT.sub(r"\1", raw.astext())
+        text = text.replace("<img", f'<img alt="{html.escape(alt[language])}"', 1)
+        raw.children = []
+        raw += nodes.Text(text)
+
+
+def is_caption(node):
+    return isinstance(node, nodes.container) and CAPTION in node["classes"]
+
+
+def join(caption, number):
+    """Put the output above a caption and the caption into one numbered figure."""
+    cell = caption.parent[caption.parent.index(caption) - 1]
+    outputs = list(cell.findall(is_cell_part("mime_bundle")))
+    if not outputs or len(caption) != 1:
+        logger.warning("a caption needs an output above it and has one paragraph", location=cell)
+        return
+    figure = nodes.figure(ids=[f"figure-{number}"])  # the id makes Sphinx number it
+    outputs[-1].replace_self(figure)
+    figure += [outputs[-1], nodes.caption("", "", *caption[0].children)]
+    caption.parent.remove(caption)
 
 
 def image_size(app, src):
-    """Width and height of an image of the page in pixels, or None for what Pillow cannot read (SVG)."""
+    """Width and height of an image in pixels, or None for what Pillow cannot read (SVG)."""
     try:
         if src.startswith("data:"):
             return Image.open(io.BytesIO(base64.b64decode(src.split(",", 1)[1]))).size
@@ -98,7 +119,7 @@ def image_size(app, src):
 
 
 def complete_images(app, pagename, templatename, context, doctree):
-    """Say the size of every picture (the text does not jump when it arrives) and load all but the first one late."""
+    """Say the size of every picture, so that the text does not jump, and load all but one late."""
     count = 0
 
     def complete(match):
@@ -109,7 +130,7 @@ def complete_images(app, pagename, templatename, context, doctree):
         size = image_size(app, re.search(r'src="([^"]*)"', tag)[1])
         if size and not re.search(r"\b(width|height)=", tag):
             extra += f' width="{size[0]}" height="{size[1]}"'
-        return "<img" + extra + tag[len("<img"):]
+        return "<img" + extra + tag[len("<img") :]
 
     if context.get("body"):
         context["body"] = re.sub(r'<img\b[^>]*\bsrc="[^>]*>', complete, context["body"])

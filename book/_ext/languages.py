@@ -1,131 +1,83 @@
-"""Two languages from one source.
+"""Two languages from one source: what Sphinx has to do for it.
 
-A prose cell of a notebook carries the cell tag `lang-id` or `lang-en`; code cells carry neither. A Markdown page says the
-same with a block break: `+++ {"tags": ["lang-id"]}`. The book is built once per language (`language` in the configuration),
-and this extension drops, while a page is read, what belongs to the other one. Titles are written "Indonesia | English".
+The book is built once per language (`language` in the configuration), and this extension drops,
+while a page is read, what belongs to the other one. How a text is marked is told in texts.py.
 """
+
 import json
 import re
 from pathlib import Path
 
-import pybtex.database
 from docutils import nodes
 from sphinx.util import logging
+from texts import (
+    LANGUAGES,
+    choose,
+    download_notebook,
+    filter_markdown,
+    filter_notebook,
+    headings,
+    source_in,
+)
 
-LANGUAGES = {"id": "Bahasa Indonesia", "en": "English"}
-MENDED = {'<summary aria-label="Toggle hidden content">': "<summary>",            # myst-nb: its own text says it already
-          '<div role="list" class="citation-list">': '<div class="citation-list">',  # docutils: a list without list items
-          ' role="doc-biblioentry"': ""}
-HINT = {"id": "*Untuk menjalankan buku catatan ini diperlukan `kalman_lib` dan folder `data`. Keduanya ada, bersama perintah "
-              "pemasangannya, dalam arsip lengkap di halaman “Cara memakai buku ini”.*",
-        "en": "*To run this notebook, `kalman_lib` and the folder `data` are needed. Both are, with the commands to install them, "
-              "in the complete archive on the page “How to use this book”.*"}
-WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
+IN_TWO_LANGUAGES = (  # settings
+    "html_title",
+    "project",
+    "author",
+    "copyright",
+    "html_theme_options",
+    "nb_code_prompt_show",
+    "nb_code_prompt_hide",
+    "book_solution_show",
+    "book_solution_hide",
+    "book_download_names",
+    "togglebutton_hint",
+    "togglebutton_hint_hide",
+)
+MENDED = {
+    # myst-nb: its own text says it already
+    '<summary aria-label="Toggle hidden content">': "<summary>",
+    # docutils: a list without list items
+    '<div role="list" class="citation-list">': '<div class="citation-list">',
+    ' role="doc-biblioentry"': "",
+}
+HINT = {
+    "id": "*Untuk menjalankan buku catatan ini diperlukan `kalman_lib` dan folder `data`. "
+    "Keduanya ada, bersama perintah pemasangannya, dalam arsip lengkap di halaman "
+    "“Cara memakai buku ini”.*",
+    "en": "*To run this notebook, `kalman_lib` and the folder `data` are needed. Both are, with "
+    "the commands to install them, in the complete archive on the page “How to use this book”.*",
+}
+HIDDEN_CELL = r'<div class="cell tag_hide-cell[^>]*>\s*<details[^>]*>\s*<summary>\s*'
+PROMPTS = re.compile(rf"({HIDDEN_CELL}<p[^>]*>)[^<]*(</p>\s*<p[^>]*>)[^<]*")
+FIRST_PAGE = """<!DOCTYPE html>
+<html lang="{language}"><head><meta charset="utf-8">\
+<meta name="viewport" content="width=device-width, initial-scale=1"><title>{title}</title>\
+<meta http-equiv="refresh" content="0; url={page}.html"></head>
+<body><main><h1><a href="{page}.html">{title}</a></h1></main></body></html>
+"""
 logger = logging.getLogger(__name__)
 
 
-# --- pure text work (also used by book/build.py) --------------------------------------------------------------------
-
-def choose(text, language):
-    """The part of "Indonesia | English" in one language; any other text unchanged."""
-    parts = text.split(" | ")
-    return parts[list(LANGUAGES).index(language)] if len(parts) == len(LANGUAGES) else text
-
-
-def belongs(tags, language):
-    """Does a piece of text with these tags appear in this language?"""
-    return not any(f"lang-{other}" in tags for other in LANGUAGES if other != language)
-
-
-def filter_notebook(notebook, language):
-    """A copy of the notebook (a dict) without the other language's cells."""
-    cells = [cell for cell in notebook["cells"] if belongs(cell["metadata"].get("tags", []), language)]
-    return {**notebook, "cells": cells}
-
-
-def filter_markdown(text, language):
-    """The Markdown text without the other language's blocks and without the lines that mark blocks."""
-    kept, keep = [], True
-    for line in text.splitlines():
-        if line.startswith("+++"):
-            keep = belongs(re.findall(r"lang-\w+", line), language)
-            line = ""
-        if keep:
-            kept.append(line)
-    return "\n".join(kept).strip() + "\n"
-
-
-def citations(bibliography, language):
-    """Key -> "Welch and Bishop, 2006" for every entry of the .bib file, in the words of one language."""
-    joint, others = {"id": (" dan ", " dkk."), "en": (" and ", " et al.")}[language]
-    names = {}
-    for key, entry in pybtex.database.parse_file(str(bibliography)).entries.items():
-        authors = [choose(" ".join(person.last_names).strip("{}"), language) for person in entry.persons.get("author", [])]
-        who = authors[0] + others if len(authors) > 2 else joint.join(authors)
-        names[key] = f"{who}, {choose(entry.fields.get('year', ''), language)}"
-    return names
-
-
-def download_notebook(notebook, language, hint=""):
-    """The notebook a reader takes home: one language, stored outputs, nothing that only this build understands.
-
-    hint is a text for below its title.
-    """
-    notebook = json.loads(json.dumps(filter_notebook(notebook, language)))  # a deep copy
-    names = citations(Path(__file__).resolve().parent.parent / "references.bib", language)
-    for cell in notebook["cells"]:
-        cell["metadata"].pop("book", None)
-        if cell["cell_type"] == "markdown":
-            cell["source"] = re.sub(r"\{cite(?::\w)?\}`([^`]+)`", lambda match: "[" + "; ".join(
-                names[key.strip()] for key in match[1].split(",")) + "]", "".join(cell["source"]))
-        for output in cell.get("outputs", []):
-            output.get("data", {}).pop(WIDGET_VIEW, None)  # a live widget needs its kernel; its picture stays
-    if hint:
-        notebook["cells"].insert(1, {"cell_type": "markdown", "id": "needed", "metadata": {}, "source": hint})
-    notebook["metadata"].pop("widgets", None)
-    return notebook
-
-
-def headings(markdown):
-    """The text of every heading, in order, code and directives left out."""
-    found, fence = [], None
-    for line in markdown.splitlines():
-        if mark := re.match(r"\s*(`{3,}|~{3,}|:{3,})", line):
-            if fence is None:
-                fence = mark[1]
-            elif line.strip() == fence:
-                fence = None
-        elif fence is None and (heading := re.match(r"#{1,6}\s+(.*)", line)):
-            found.append(heading[1])
-    return found
-
-
-def source_in(text, path, language):
-    """The Markdown of a page in one language, whether it is a notebook or a Markdown file."""
-    if path.suffix != ".ipynb":
-        return filter_markdown(text, language)
-    cells = filter_notebook(json.loads(text), language)["cells"]
-    return "\n\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown")
-
-
-# --- Sphinx events --------------------------------------------------------------------------------------------------
-
 def split_config(app, config):
     """Choose this language's part of every text in the configuration, theme options included."""
-    def split(value):
-        if isinstance(value, str):
-            return choose(value, config.language)
-        if isinstance(value, dict):
-            return {key: split(part) for key, part in value.items()}
-        return [split(part) for part in value] if isinstance(value, list) else value
+    for name in IN_TWO_LANGUAGES:
+        config[name] = split(config[name], config.language)
 
-    for name in ("html_title", "project", "author", "copyright", "html_theme_options", "nb_code_prompt_show",
-                 "nb_code_prompt_hide", "book_solution_show", "book_solution_hide", "book_download_names", "togglebutton_hint", "togglebutton_hint_hide"):
-        config[name] = split(config[name])
+
+def split(value, language):
+    """Choose in a text, and in all texts of a dict or a list."""
+    if isinstance(value, str):
+        return choose(value, language)
+    if isinstance(value, dict):
+        return {key: split(part, language) for key, part in value.items()}
+    if isinstance(value, list):
+        return [split(part, language) for part in value]
+    return value
 
 
 def split_toc(app, config):
-    """The same for the captions and titles of the table of contents (which sphinx-external-toc reads at priority 900)."""
+    """The same in the table of contents, which sphinx-external-toc reads at priority 900."""
     for document in config.external_site_map.values():
         document.title = document.title and choose(document.title, config.language)
         for tree in document.subtrees:
@@ -136,7 +88,7 @@ def split_toc(app, config):
 
 
 def read_one_language(app, docname, source):
-    """Leave only this language in the text of a page; remember the English headings for `name_sections`."""
+    """Leave only this language in the text of a page; keep the headings for `name_sections`."""
     path = Path(app.env.doc2path(docname))
     app.env.temp_data["english_headings"] = headings(source_in(source[0], path, "en"))
     if path.suffix == ".ipynb":
@@ -146,96 +98,114 @@ def read_one_language(app, docname, source):
 
 
 def name_sections(app, doctree):
-    """Name section n after English heading n in both languages, so that page.html#the-gain is the same section in both."""
+    """Name section n after English heading n: page.html#the-gain is there in both languages."""
     english = app.env.temp_data.get("english_headings", [])
     sections = list(doctree.findall(nodes.section))
     if len(sections) != len(english):
-        logger.warning("the page has %d headings, its English text %d: both languages need the same headings in the same order",
-                       len(sections), len(english), location=app.env.docname)
+        logger.warning(
+            "the page has %d headings, its English text %d: both languages need the same headings "
+            "in the same order",
+            len(sections),
+            len(english),
+            location=app.env.docname,
+        )
     used = set()
     for section, heading in zip(sections, english):
-        slug = base = nodes.make_id(heading) or "section"
-        count = 1
-        while slug in used or doctree.ids.get(slug, section) is not section:
-            count += 1
-            slug = f"{base}-{count}"
+        slug = free_name(nodes.make_id(heading) or "section", section, used, doctree)
         used.add(slug)
         section["ids"] = [slug] + [old for old in section["ids"] if old != slug]
         doctree.ids[slug] = section
         # a Markdown link page.ipynb#the-gain finds it, too, in both languages
-        app.env.metadata[app.env.docname].setdefault("myst_slugs", {})[slug] = (section.line, slug, section[0].astext())
+        slugs = app.env.metadata[app.env.docname].setdefault("myst_slugs", {})
+        slugs[slug] = (section.line, slug, section[0].astext())
+
+
+def free_name(base, section, used, doctree):
+    """The name, with a number behind it if another section has it."""
+    slug = base
+    count = 1
+    while slug in used or doctree.ids.get(slug, section) is not section:
+        count += 1
+        slug = f"{base}-{count}"
+    return slug
 
 
 def add_language_links(app, pagename, templatename, context, doctree):
-    """What layout.html and language-switcher.html need to lead to the same page in the other language."""
+    """What layout.html and language-switcher.html need to lead to this page in both languages."""
     if app.config.book_site:
         up = "../" * (pagename.count("/") + 1)  # out of this language's folder
-        context["languages"] = [{"code": code, "name": name, "url": f"{up}{code}/{pagename}.html"}
-                                for code, name in LANGUAGES.items()]
+        context["languages"] = [
+            {"code": code, "name": name, "url": f"{up}{code}/{pagename}.html"}
+            for code, name in LANGUAGES.items()
+        ]
         context["choose_url"] = f"{up}index.html"
 
 
 def mend_markup(app, pagename, templatename, context, doctree):
-    """Take away what extensions write in English only, or with a role that screen readers stumble over."""
+    """Take away what extensions write in English only, or what screen readers stumble over."""
     for wrong, right in MENDED.items():
         context["body"] = context.get("body", "").replace(wrong, right)
 
 
 def name_solutions(app, pagename, templatename, context, doctree):
-    """A hidden cell is the solution of an exercise: its prompt says so (other prompts say "Show the code")."""
-    context["body"] = re.sub(r'(<div class="cell tag_hide-cell[^>]*>\s*<details[^>]*>\s*<summary>\s*<p[^>]*>)[^<]*(</p>\s*<p[^>]*>)[^<]*',
-                             rf"\g<1>{app.config.book_solution_show}\g<2>{app.config.book_solution_hide}", context.get("body", ""))
+    """The prompt of a hidden cell says that it is a solution (others say "Show the code")."""
+    show, hide = app.config.book_solution_show, app.config.book_solution_hide
+    context["body"] = PROMPTS.sub(rf"\g<1>{show}\g<2>{hide}", context.get("body", ""))
 
 
 def name_downloads(app, pagename, templatename, context, doctree):
-    """Say in words what the buttons of the download menu give; the theme shows file endings only."""
+    """Say in words what the download menu gives; the theme shows file endings only."""
+    names = app.config.book_download_names
     for group in context.get("header_buttons", []):
         for button in group.get("buttons", []):
-            button["text"] = app.config.book_download_names.get(button.get("text"), button.get("text"))
+            text = button.get("text")
+            button["text"] = names.get(text, text)
 
 
 def write_downloads(app, exception):
-    """Sphinx copied the sources of both languages into _sources: put this language's text there instead."""
+    """Put this language's texts into _sources, where Sphinx copied those with both."""
     if exception or app.builder.format != "html":
         return
     for docname in app.env.all_docs:
         source = Path(app.env.doc2path(docname))
         copy = Path(app.outdir, "_sources", docname).with_name(source.name)
         if copy.exists():
-            text = source.read_text(encoding="utf-8")
-            if source.suffix == ".ipynb":
-                text = json.dumps(download_notebook(json.loads(text), app.config.language, HINT[app.config.language]), indent=1, ensure_ascii=False)
-            else:
-                text = filter_markdown(text, app.config.language)
-            copy.write_text(text, encoding="utf-8")
+            copy.write_text(text_to_download(source, app.config.language), encoding="utf-8")
+
+
+def text_to_download(source, language):
+    text = source.read_text(encoding="utf-8")
+    if source.suffix != ".ipynb":
+        return filter_markdown(text, language)
+    notebook = download_notebook(json.loads(text), language, HINT[language])
+    return json.dumps(notebook, indent=1, ensure_ascii=False)
 
 
 def write_index(app, exception):
     """index.html of one language leads to its first page."""
     if exception or app.builder.name != "html":
         return
-    page = Path(app.outdir, "index.html")
-    page.write_text(
-        f'<!DOCTYPE html>\n<html lang="{app.config.language}"><head><meta charset="utf-8">'
-        f'<meta name="viewport" content="width=device-width, initial-scale=1"><title>{app.config.html_title}</title>'
-        f'<meta http-equiv="refresh" content="0; url={app.config.root_doc}.html"></head>\n'
-        f'<body><main><h1><a href="{app.config.root_doc}.html">{app.config.html_title}</a></h1></main></body></html>\n',
-        encoding="utf-8")
+    config = app.config
+    values = dict(language=config.language, title=config.html_title, page=config.root_doc)
+    Path(app.outdir, "index.html").write_text(FIRST_PAGE.format(**values), encoding="utf-8")
 
 
 def setup(app):
-    app.add_config_value("book_site", False, "html")  # set by book/build.py, which builds both languages beside each other
-    app.connect("config-inited", split_config, priority=100)
-    app.connect("config-inited", split_toc, priority=999)
-    app.connect("source-read", read_one_language)
-    app.connect("doctree-read", name_sections, priority=400)  # before the table of contents is collected (500)
-    app.connect("html-page-context", add_language_links)
+    # book/build.py sets it, which builds both languages beside each other
+    app.add_config_value("book_site", False, "html")
     app.add_config_value("book_download_names", {}, "html")
     app.add_config_value("book_solution_show", "", "html")
     app.add_config_value("book_solution_hide", "", "html")
+    app.connect("config-inited", split_config, priority=100)
+    app.connect("config-inited", split_toc, priority=999)
+    app.connect("source-read", read_one_language)
+    # before the table of contents is collected (500)
+    app.connect("doctree-read", name_sections, priority=400)
+    app.connect("html-page-context", add_language_links)
     app.connect("html-page-context", mend_markup)
     app.connect("html-page-context", name_solutions, priority=600)  # after mend_markup
-    app.connect("html-page-context", name_downloads, priority=600)  # after the theme has made its buttons
+    # after the theme has made its buttons
+    app.connect("html-page-context", name_downloads, priority=600)
     app.connect("build-finished", write_downloads)
     app.connect("build-finished", write_index, priority=400)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

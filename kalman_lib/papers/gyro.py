@@ -1,4 +1,8 @@
-"""Chapter 3: an angle from a gyroscope and an angle sensor. Source: Wahyudi, Susanto, Pramono and Widada, Figures 4-7."""
+"""Chapter 3: an angle from a gyroscope and an angle sensor.
+
+Source: Wahyudi, Susanto, Pramono and Widada, Figures 4-7.
+"""
+
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,39 +12,57 @@ from ..simulate import Trajectory
 from ..simulate import simulate as simulate_model
 from . import check, param
 
-# The paper's four figures: (sigma_w rad/s, sigma_v rad), and the largest |measurement error| and |estimation error|
-# (rad) that its text reads off them, as printed (decimal point for the comma)
+# The paper's four figures: (sigma_w rad/s, sigma_v rad), and the largest |measurement error| and
+# |estimation error| (rad) that its text reads off them, as printed (decimal point for the comma)
 CASES = {4: (10, 10), 5: (10, 1), 6: (1, 10), 7: (1, 1)}
 PRINTED = {4: "28 6", 5: "3.2 2.3", 6: "23 2", 7: "3 0.8"}
 
 
 @dataclass(frozen=True)
 class Params:
-    duration: float = param(20, min=1, max=60, step=0.1, unit="s", id="durasi", en="duration", log=True)
-    T: float = param(0.1, min=0.01, max=1, step=0.1, unit="s", id="periode cuplik", en="sampling period", log=True)
-    sigma_w: float = param(10, min=1e-4, max=100, step=0.1, unit="rad/s", log=True,
-                           id="simpangan baku derau proses", en="standard deviation of the process noise")
-    sigma_v: float = param(10, min=1e-4, max=100, step=0.1, unit="rad", log=True,
-                           id="simpangan baku derau pengukuran", en="standard deviation of the measurement noise")
-    u: float = param(1, min=-10, max=10, step=0.1, unit="rad/s", id="kecepatan sudut", en="angular rate")
+    """The two noises are those of the paper's four figures, see CASES."""
+
+    # fmt: off
+    duration: float = param(
+        20, min=1, max=60, step=0.1, unit="s", log=True,
+        id="durasi", en="duration",
+    )
+    T: float = param(
+        0.1, min=0.01, max=1, step=0.1, unit="s", log=True,
+        id="periode cuplik", en="sampling period",
+    )
+    sigma_w: float = param(
+        10, min=1e-4, max=100, step=0.1, unit="rad/s", log=True,
+        id="simpangan baku derau proses", en="standard deviation of the process noise",
+    )
+    sigma_v: float = param(
+        10, min=1e-4, max=100, step=0.1, unit="rad", log=True,
+        id="simpangan baku derau pengukuran", en="standard deviation of the measurement noise",
+    )
+    u: float = param(
+        1, min=-10, max=10, step=0.1, unit="rad/s",
+        id="kecepatan sudut", en="angular rate",
+    )
+    # fmt: on
 
 
 def model(p):
-    """x = x + T u + w, z = x + v: angle x and measured angle z in rad, rate u in rad/s; Q = sigma_w^2 T^2, R = sigma_v^2.
+    """x = x + T u + w, z = x + v: angle x and measured angle z in rad, rate u in rad/s.
 
-    The first angle is known: x0 = 0, P0 = 0. So the first P_pred is Q, where the paper's program starts.
+    Q = sigma_w^2 T^2 and R = sigma_v^2. The first angle is known: x0 = 0, P0 = 0. So the first
+    P_pred is Q, where the paper's program starts.
     """
     check(p)
-    return LinearModel(F=1, B=p.T, H=1, Q=(p.sigma_w * p.T) ** 2, R=p.sigma_v ** 2, x0=0, P0=0)
+    return LinearModel(F=1, B=p.T, H=1, Q=(p.sigma_w * p.T) ** 2, R=p.sigma_v**2, x0=0, P0=0)
 
 
 def times(p):
-    """t (T,) s, the end of every step: T, 2 T, ... to the whole number of steps nearest to the duration."""
+    """t (T,) s, the end of every step: T, 2 T, ... for as many steps as fit the duration best."""
     return p.T * np.arange(1, round(p.duration / p.T) + 1)
 
 
 def simulate(p, rng, runs=None):
-    """A synthetic turn at the constant rate u -> Trajectory; with runs, as many of them: x, z (T, 1, runs)."""
+    """A synthetic turn at the constant rate u -> Trajectory; of many runs, (T, 1, runs)."""
     m, steps = model(p), len(times(p))
     u = np.full((steps, 1), p.u)
     if runs is None:
@@ -51,45 +73,68 @@ def simulate(p, rng, runs=None):
 
 
 def layout(p, flight, result):
-    """The two panels of the paper's figures, angle and errors, as the rows that plots.panels draws."""
+    """The two panels of the paper's figures, angle and errors: the rows of plots.panels."""
     t, x, z, truth = times(p), result.x[:, 0], flight.z[:, 0], flight.x[:, 0]
-    return [dict(t=t, z=z, x=x, truth=truth, ylabel="rad"),
-            dict(t=t, z=truth - z, x=truth - x, ylabel="rad",
-                 names={"z": r"$x_{\mathrm{true}} - z$", "x": r"$e = x_{\mathrm{true}} - x$"})]
+    return [
+        dict(t=t, z=z, x=x, truth=truth, ylabel="rad"),
+        dict(
+            t=t,
+            z=truth - z,
+            x=truth - x,
+            ylabel="rad",
+            names={"z": r"$x_{\mathrm{true}} - z$", "x": r"$e = x_{\mathrm{true}} - x$"},
+        ),
+    ]
 
 
-# --- the largest error of a run ----------------------------------------------------------------------------------------
+# --- the largest error of a run -----------------------------------------------------------------
+
 
 def maxima(flight, result):
-    """Largest |x_true - z| and |x_true - x| of every run: (2,) of one run, (2, runs) of many; rad."""
-    return np.array([np.abs(flight.x - other).max(axis=0)[0] for other in (flight.z, result.x)])
+    """Largest |x_true - z| and |x_true - x| of every run, rad: (2,), or (2, runs) of many."""
+    errors = flight.x - flight.z, flight.x - result.x
+    return np.array([np.abs(error).max(axis=0)[0] for error in errors])
 
 
 def ranks(largest):
-    """Share of the simulated runs whose maxima stay below the printed ones: largest is figure -> (2, runs) -> (2,)."""
-    return {figure: np.mean(sample < np.array(PRINTED[figure].split(), dtype=float)[:, np.newaxis], axis=1)
-            for figure, sample in largest.items()}
+    """Share of the runs whose maxima stay below the printed ones: {figure: (2,)}.
+
+    largest: {figure: (2, runs)}, the maxima of the runs.
+    """
+    shares = {}
+    for figure, sample in largest.items():
+        printed = np.array(PRINTED[figure].split(), dtype=float)
+        shares[figure] = np.mean(sample < printed[:, np.newaxis], axis=1)
+    return shares
 
 
 def table(own, largest):
-    """For each printed maximum: the one of our figure, the 95 % interval of all runs, the rank, and a mark.
+    """For each printed maximum ours, the 95 % interval of all runs, the rank, and a mark.
 
-    ✓ inside the 95 % interval, (✓) only inside the 99 % interval, ✗ outside both. own: figure -> (2,), largest:
-    figure -> (2, runs).
+    own: {figure: (2,)}, largest: {figure: (2, runs)}.
     """
     lines = [f"{'printed':>11}{'ours':>6}{'95 %':>10}{'rank':>9}"]
     for figure, rank in ranks(largest).items():
-        for letter, printed, ours, sample, r in zip("zx", PRINTED[figure].split(), own[figure], largest[figure], rank):
+        rows = zip("zx", PRINTED[figure].split(), own[figure], largest[figure], rank)
+        for letter, printed, ours, sample, r in rows:
             low, high = np.quantile(sample, (0.025, 0.975))
-            mark = "✓" if 0.025 <= r <= 0.975 else "(✓)" if 0.005 <= r <= 0.995 else "✗"
-            lines.append(f"{figure} {letter}{printed:>7}{ours:>7.1f}{low:>7.1f}{high:>5.1f}{r:>7.1%} {mark}")
+            numbers = f"{printed:>7}{ours:>7.1f}{low:>7.1f}{high:>5.1f}{r:>7.1%}"
+            lines.append(f"{figure} {letter}{numbers} {_mark(r)}")
     return "\n".join(lines)
 
 
-# --- once the filter has settled ---------------------------------------------------------------------------------------
+def _mark(rank):
+    """✓ inside the 95 % interval, (✓) only inside the 99 % interval, ✗ outside both."""
+    if 0.025 <= rank <= 0.975:
+        return "✓"
+    return "(✓)" if 0.005 <= rank <= 0.995 else "✗"
+
+
+# --- once the filter has settled ----------------------------------------------------------------
+
 
 def steady(p):
-    """The gain K at which the filter settles and the standard deviation sqrt(K R) of its error, rad.
+    """The gain K at which the filter settles, and the standard deviation sqrt(K R) of its error.
 
     K is the positive root of K^2 + q K - q = 0 with q = Q / R.
     """
@@ -104,26 +149,36 @@ def error_with_gain(p, K):
     e' = (1 - K)(e + w) - K v, so its variance is ((1 - K)^2 Q + K^2 R) / (1 - (1 - K)^2).
     """
     m = model(p)
-    return np.sqrt(((1 - K) ** 2 * m.Q[0, 0] + K ** 2 * m.R[0, 0]) / (1 - (1 - K) ** 2))
+    return np.sqrt(((1 - K) ** 2 * m.Q[0, 0] + K**2 * m.R[0, 0]) / (1 - (1 - K) ** 2))
 
 
 def expected(p, sigma_w, sigma_v):
-    """RMSE (rad) and mean NEES to be expected, over all steps, of a filter that believes sigma_w and sigma_v while p is true.
+    """RMSE (rad) and mean NEES of a filter that believes sigma_w and sigma_v while p is true.
 
-    sigma_w rad/s and sigma_v rad are numbers or arrays (a map), and so is the answer. No data is needed: K and P depend
-    on none, and the error e = (1 - K)(e + w) - K v has the variance V = (1 - K)^2 (V + Q) + K^2 R, with the true Q and R.
+    Both are what is to be expected over all steps. sigma_w rad/s and sigma_v rad are numbers or
+    arrays (a map), and so is the answer. No data is needed: K and P depend on none, and the error
+    e = (1 - K)(e + w) - K v has the variance V = (1 - K)^2 (V + Q) + K^2 R with the true Q and R.
     """
     m, T = model(p), len(times(p))
-    Q, R, Q_told, R_told = m.Q[0, 0], m.R[0, 0], (np.asarray(sigma_w) * p.T) ** 2, np.asarray(sigma_v) ** 2
+    Q, R = m.Q[0, 0], m.R[0, 0]
+    Q_told = (np.asarray(sigma_w) * p.T) ** 2
+    R_told = np.asarray(sigma_v) ** 2
     P = V = squares = nees = 0
     for _ in range(T):
         P_pred = P + Q_told
-        K, keep = P_pred / (P_pred + R_told), R_told / (P_pred + R_told)        # keep = 1 - K
-        P, V = K * R_told, keep ** 2 * (V + Q) + K ** 2 * R
-        squares, nees = squares + V, nees + V / P
+        S = P_pred + R_told
+        K, keep = P_pred / S, R_told / S  # keep = 1 - K
+        P = K * R_told
+        V = keep**2 * (V + Q) + K**2 * R
+        squares = squares + V
+        nees = nees + V / P
     return np.sqrt(squares / T), nees / T
 
 
 def drift(p, rng, runs):
-    """The error of the gyroscope alone: the sum of its noise, (T, runs), rad. Its standard deviation is sigma_w sqrt(T t)."""
-    return np.cumsum(p.T * p.sigma_w * rng.normal(size=(len(times(p)), runs)), axis=0)
+    """The error of the gyroscope alone, the sum of its noise: (T, runs), rad.
+
+    Its standard deviation is sigma_w sqrt(T t).
+    """
+    noise = rng.normal(size=(len(times(p)), runs))
+    return np.cumsum(p.T * p.sigma_w * noise, axis=0)

@@ -1,4 +1,4 @@
-// Numbers in: reads a pasted text or a CSV file. Twin of the reading half of Python's spreadsheet reader: the
+// Numbers in: reads a pasted text or a CSV file. Twin of kalman_lib/data/table.py: the
 // same rules, the same sentences; what it does not read is .xlsx, and then it says so.
 import { InputError } from "../language/input.js";
 import { cut, isGap, isNumber, quoted, valueOf } from "./cells.js";

@@ -1,0 +1,77 @@
+"""The lists that name every chapter: python book/_make/lists.py writes that of README.md.
+
+The order is that of _toc.yml, the titles are the first headings of the chapters. Lists with more
+to say than a title (intro.md, errata.md) are written by hand; tests/test_lists.py names what they
+miss.
+"""
+
+import json
+import re
+import sys
+from pathlib import Path
+
+import yaml
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "book" / "_ext"))
+from texts import headings, source_in  # noqa: E402
+
+README_LIST = re.compile(r"(<!-- chapters: make lists -->\n).*?(<!-- end -->)", re.DOTALL)
+
+
+def pages(entries):
+    """The pages of a part of _toc.yml in reading order, those below others included."""
+    found = []
+    for entry in entries:
+        found.append(entry["file"])
+        found += pages(entry.get("sections", []))
+    return found
+
+
+def contents():
+    """_toc.yml as a list of parts, each a list of its top pages and of all its pages."""
+    toc = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))
+    parts = [part["chapters"] for part in toc["parts"]]
+    return toc["root"], [([entry["file"] for entry in part], pages(part)) for part in parts]
+
+
+def chapters():
+    """The chapters: the top pages of the first part."""
+    _, parts = contents()
+    top, _ = parts[0]
+    return top
+
+
+def title(page, language):
+    """The first heading of a page in one language."""
+    path = next(path for path in (ROOT / f"{page}.ipynb", ROOT / f"{page}.md") if path.exists())
+    return headings(source_in(path.read_text(encoding="utf-8"), path, language))[0]
+
+
+def critical_notes():
+    """Chapters that have a critical note, which the errata must name."""
+    found = []
+    for page in chapters():
+        text = json.dumps(json.loads((ROOT / f"{page}.ipynb").read_text(encoding="utf-8")))
+        if "## Critical note" in text:
+            found.append(page)
+    return found
+
+
+def readme_list():
+    """One numbered line a chapter, both titles."""
+    lines = []
+    for number, page in enumerate(chapters(), start=1):
+        both = f"{title(page, 'id')} · {title(page, 'en')}"
+        lines.append(f"{number}. [{both}]({page}.ipynb)\n")
+    return "".join(lines)
+
+
+def with_list(text):
+    """README.md with the list as it should be."""
+    return README_LIST.sub(lambda marks: marks[1] + readme_list() + marks[2], text)
+
+
+if __name__ == "__main__":
+    readme = ROOT / "README.md"
+    readme.write_text(with_list(readme.read_text(encoding="utf-8")), encoding="utf-8")

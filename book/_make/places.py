@@ -1,0 +1,8 @@
+"""Where the build finds and leaves things."""
+
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+BUILD = ROOT / "_build"
+SITE = BUILD / "site"
+CACHE = BUILD / "cache"  # executed notebooks, common to both languages

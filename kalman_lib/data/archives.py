@@ -1,0 +1,84 @@
+"""Files, folders and archives of a recording in, {name: bytes} of its tables out."""
+
+import io
+import zipfile
+import zlib
+from pathlib import Path
+
+from .errors import InputError
+
+MAX_BYTES = 400_000_000  # of all files together
+TEXTS = (".csv", ".txt", ".tsv")
+READABLE = (*TEXTS, ".xlsx", ".xls", ".zip")
+NOT_DATA = {"meta", "__macosx"}  # folders that phyphox and macOS add
+UNPACKING_ERRORS = (
+    zipfile.BadZipFile,
+    NotImplementedError,
+    RuntimeError,
+    OSError,
+    zlib.error,
+)
+
+
+def open_files(files):
+    """{name: bytes}, a path or a list of paths -> {name: bytes} of the tables in them."""
+    if not isinstance(files, dict):
+        files = _read_paths([files] if isinstance(files, (str, Path)) else files)
+    tables = {}
+    for name, content in files.items():
+        if bytes(content[:2]) == b"PK" and not name.lower().endswith(".xlsx"):
+            tables |= _unpack(name, content, _size(tables))
+        else:
+            tables[name] = bytes(content)
+        _check_size(_size(tables))
+    tables = {name: content for name, content in tables.items() if _is_data(name)}
+    if not tables:
+        raise InputError(
+            "There is no table in the files; a .csv, .zip or .xlsx export is needed.",
+            "Tidak ada tabel dalam berkas; diperlukan ekspor .csv, .zip atau .xlsx.",
+        )
+    return tables
+
+
+def _read_paths(paths):
+    """{path: bytes} of files, and of the files in folders."""
+    found = []
+    for path in map(Path, paths):
+        if not path.exists():
+            raise InputError(f"There is no file {str(path)!r}.", f"Tidak ada berkas {str(path)!r}.")
+        found += sorted(path.rglob("*")) if path.is_dir() else [path]
+    found = [path for path in found if path.is_file() and path.suffix.lower() in READABLE]
+    _check_size(sum(path.stat().st_size for path in found))
+    return {str(path): path.read_bytes() for path in found}
+
+
+def _unpack(name, content, size_so_far):
+    """{name/part: bytes} of the tables in an archive."""
+    try:
+        with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            parts = [part for part in archive.infolist() if part.filename.lower().endswith(TEXTS)]
+            _check_size(size_so_far + sum(part.file_size for part in parts))  # before unpacking
+            return {f"{name}/{part.filename}": archive.read(part) for part in parts}
+    except UNPACKING_ERRORS as error:
+        raise InputError(
+            f"The archive {name!r} cannot be unpacked ({error}).",
+            f"Arsip {name!r} tidak dapat dibuka ({error}).",
+        ) from None
+
+
+def _is_data(name):
+    folders = Path(name.lower()).parts[:-1]
+    return not NOT_DATA & set(folders)
+
+
+def _size(tables):
+    return sum(len(content) for content in tables.values())
+
+
+def _check_size(size):
+    if size > MAX_BYTES:
+        megabytes, most = size // 10**6, MAX_BYTES // 10**6
+        raise InputError(
+            f"The files hold {megabytes} MB; the limit is {most} MB.",
+            f"Berkas berisi {megabytes} MB; batasnya {most} MB.",
+        )

@@ -1,0 +1,84 @@
+"""A figure in the book's style: how the functions of this room begin and end one."""
+
+import io
+from contextlib import contextmanager
+
+import numpy as np
+from matplotlib import style
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure as MatplotlibFigure
+from PIL import Image
+
+from ..sketch import Sketch
+from .styles import STYLE
+
+WIDTH = 4.8  # inches
+SHOWN_WIDTH = 600  # pixels: half of what is drawn
+COLOURS = 96  # a third of the size of a file with all
+
+
+class Figure(MatplotlibFigure):
+    """A matplotlib figure that shows itself in a notebook without pyplot and its global state."""
+
+    def _repr_png_(self):
+        return self.png(), {"width": SHOWN_WIDTH}
+
+    def png(self, dpi=200):
+        """The bytes of a PNG file with at most 96 colours."""
+        with style.context(STYLE):
+            self.set_dpi(dpi)
+            self.canvas.draw()
+        image = Image.fromarray(np.asarray(self.canvas.buffer_rgba())).convert("RGB")
+        buffer = io.BytesIO()
+        few_colours = image.quantize(COLOURS, dither=Image.Dither.NONE)
+        few_colours.save(buffer, format="png", optimize=True)
+        return buffer.getvalue()
+
+
+_quick = False  # are figures drawn as quick sketches?
+
+
+@contextmanager
+def live():
+    """Inside this block every function of this room that has one pair of axes, none of them
+    logarithmic, returns a Sketch."""
+    global _quick
+    before = _quick
+    _quick = True
+    try:
+        yield
+    finally:
+        _quick = before
+
+
+@contextmanager
+def new_figure(height, rows=1, columns=1, sharex=False, **names):
+    """A figure and its axes, which get names and a legend at the end of the block."""
+    if _quick and names.get("xscale") != "log":
+        sketch = Sketch(height)
+        yield sketch, sketch.axes[0]
+        sketch.axes[0].set(**names)
+        return
+    with style.context(STYLE):
+        figure = Figure(figsize=(WIDTH, height))
+        FigureCanvasAgg(figure)
+        yield figure, figure.subplots(rows, columns, sharex=sharex)
+        for ax in figure.axes:
+            ax.set(**names)
+            add_legend(ax)
+
+
+def add_legend(ax):
+    """A legend above the axes, where it can cover no data."""
+    handles, labels = ax.get_legend_handles_labels()
+    if handles:
+        ax.legend(
+            handles,
+            labels,
+            loc="lower left",
+            bbox_to_anchor=(-0.02, 1.0),
+            ncols=min(len(labels), 4),
+            borderaxespad=0.1,
+            columnspacing=1.1,
+            handletextpad=0.5,
+        )
