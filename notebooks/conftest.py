@@ -1,4 +1,4 @@
-"""Notebooks that pytest runs again draw no progress bars, so none is kept."""
+"""Notebooks that pytest runs again draw no progress bars."""
 
 import os
 
