@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .checks import check_covariance, numbers, shape_message
-from .fast import kalman_filter
+from .fast import for_likelihood
 from .filters import update
 from .many import run_of
 from .models import LinearModel, subtract
@@ -115,7 +115,7 @@ def fit(build, start, z, u=None, free=()):
                          f"build tidak menerima tepat nama-nama di start: {list(start)}.") from None
 
     def likelihood(**values):
-        result = kalman_filter(build(**values), z, u)
+        result = for_likelihood(build(**values), z, u)
         if not np.isfinite(result.x).all():
             return -np.inf                  # a model that overflows explains nothing
         return np.sum(log_likelihood(result))

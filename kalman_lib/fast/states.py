@@ -16,8 +16,8 @@ from .scan import LONG, STEADY, radius, scan
 HEAD = 64               # steps that the loop may take over where a vague start costs digits
 
 
-def filter_series(s):
-    """The FilterResult of one run, or None where the loop is needed."""
+def filter_series(s, strict):
+    """The FilterResult of one run, or None where the loop is needed; strict: also where the data lie far from zero."""
     if s.silent is not None and s.silent.all(axis=0).any():
         return None                             # a sensor that never speaks
     parts = s.parts()
@@ -33,6 +33,8 @@ def filter_series(s):
     if not np.isfinite(x[-1]).all():
         return None                             # too large for numbers: the loop says at which step
     result = result_of(gains, x)
+    if not strict:
+        return result
     size = np.abs(x)
     y = np.abs(result.y)
     usual_y = rounding.usual(y) if s.silent is None else np.nanmedian(y, axis=0)

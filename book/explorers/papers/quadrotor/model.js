@@ -1,5 +1,6 @@
 // Chapter 6: roll, pitch and yaw of a quadrotor from gyroscope, accelerometer and magnetometer. Twin of
-// kalman_lib/papers/quadrotor/model.py. Series of three (roll, pitch, yaw; or x, y, z) lie step after step in a
+// kalman_lib/papers/quadrotor/model.py. Series of three (roll, pitch, yaw; or x, y, z) lie step after
+// step in a
 // Float64Array (3 T). Angles in rad, rates in rad/s; earth north-east-down, body forward-right-down.
 import { kalmanFilter } from "../../numerics/filters.js";
 import { linearModel } from "../../numerics/models.js";
