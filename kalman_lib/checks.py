@@ -6,8 +6,8 @@ import numpy as np
 
 # --- numbers ---------------------------------------------------------------------------------------------------------
 
-def numbers(name, value, dimensions=0):
-    """A float copy of the value with at least that many dimensions; None, pandas' NA and masked entries become NaN.
+def numbers(name, value, dimensions=0, copy=True):
+    """A float copy (copy=False: the array itself, if it is one of floats) of the value with at least that many dimensions; None, pandas' NA and masked entries become NaN.
 
     Taken are numbers, (nested) lists, arrays of any precision and order, masked arrays, pandas Series and DataFrame.
     ValueError: text, dates, complex numbers, ragged rows.
@@ -27,7 +27,7 @@ def numbers(name, value, dimensions=0):
         array = np.array([_number(name, entry) for entry in array.flat]).reshape(array.shape)
     if array.dtype.kind not in "biuf":
         _refuse(name, _KINDS.get(array.dtype.kind, ("something else", "hal lain")))
-    array = np.array(array, dtype=float, order="C", ndmin=dimensions)
+    array = np.array(array, dtype=float, order="C", ndmin=dimensions, copy=copy or mask is not None or None)
     if mask is not None:
         array[mask.reshape(array.shape)] = np.nan
     return array
@@ -109,13 +109,13 @@ def series(name, values, width=None, steps=None, runs=False):
     return check_series(name, shaped_series(name, values, width, steps, runs))
 
 
-def shaped_series(name, values, width=None, steps=None, runs=False):
-    """`series` without a look at the numbers."""
+def shaped_series(name, values, width=None, steps=None, runs=False, copy=True):
+    """`series` without a look at the numbers; copy as in `numbers`."""
     if isinstance(values, (list, tuple)) and any(row is None for row in values):
         rows = [row for row in values if np.ndim(row)]
         if rows:
             values = [[np.nan] * len(rows[0]) if row is None else row for row in values]
-    array = numbers(name, values)
+    array = numbers(name, values, copy=copy)
     if array.ndim == 1 and width in (1, None):
         array = array[:, np.newaxis]
     fits = array.ndim in ((2, 3) if runs else (2,)) and array.size > 0

@@ -137,6 +137,14 @@ def test_the_arrays_of_a_result_are_read_only(z):
                 setattr(values, field.name, 0)
 
 
+def test_the_data_of_many_runs_stay_the_readers():
+    z = np.ma.masked_array(np.ones((60, 1, 3)), np.zeros((60, 1, 3)))
+    z[4, 0, 1] = np.ma.masked
+    before = z.data.copy()
+    kalman_filter(ONE, z)
+    assert np.array_equal(z.data, before)
+
+
 def test_the_data_of_the_reader_stay_his():
     z = np.ones(60)
     kalman_filter(ONE, z)

@@ -13,8 +13,6 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 LINE, CODE_CELL_LINE = 100, 76  # characters
 CODE_CELL, FUNCTION, FILE = 12, 40, 300  # lines
-CORE = ("models", "filters", "simulate", "metrics", "tuning")
-CORE_LINES = 900  # together
 
 # Rooms that are being rebuilt: the list in pyproject.toml, which `make lint` leaves out, too
 EXCLUDED = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["ruff"]["extend-exclude"]
@@ -80,15 +78,6 @@ def test_no_condition_stands_inside_another(path):
         if any(isinstance(part, ast.IfExp) for part in ast.walk(node) if part is not node)
     ]
     assert not nested, f"{name_of(path)}, lines {nested}: write 'a if b else c' once, or use if"
-
-
-def test_the_core_is_tiny():
-    """Whoever wants to understand all six chapters reads these files and no other."""
-    files = [ROOT / "kalman_lib" / f"{name}.py" for name in CORE]
-    if not all(is_finished(path) for path in files):
-        pytest.skip("the core is being rebuilt")
-    lines = sum(len(path.read_text(encoding="utf-8").splitlines()) for path in files)
-    assert lines <= CORE_LINES
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=name_of)

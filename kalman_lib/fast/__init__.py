@@ -55,7 +55,8 @@ def _quick(model, z, u, strict=True):
     """
     if not hasattr(model, "transition"):
         return None
-    z = shaped_series("z", z, width=model.R.shape[-1], runs=True)
+    copy = getattr(z, "ndim", 0) != 3 or isinstance(model, NonlinearModel)      # else runs.py copies z in passing
+    z = shaped_series("z", z, width=model.R.shape[-1], runs=True, copy=copy)
     if z.ndim == 2 or isinstance(model, NonlinearModel):        # else what is not finite shows at the end
         check_series("z", z)
     steps_of(model, len(z))

@@ -30,7 +30,9 @@ def filter_runs(s):
     if s.drive is not None:
         drive = np.einsum("kij,kj->ki", repeat_last(I_KH, len(s.z)), s.drive)
     x = np.empty((len(s.z), len(s.x0), s.z.shape[2]))
-    steps(I_KH @ s.F, gains.K, s.z, drive, s.x0[:, np.newaxis], x)
+    z = s.z
+    gains.s = s = s._replace(z=np.empty_like(z))                # the result keeps numbers of its own
+    steps(I_KH @ s.F, gains.K, z, drive, s.x0[:, np.newaxis], x, copy=s.z)
     if not np.isfinite(x[-1]).all():
         return None                             # a NaN in z would still be there
     largest = np.abs(x[::MANY]).max(axis=(0, 2))
@@ -40,10 +42,10 @@ def filter_runs(s):
 
 
 @np.errstate(over="ignore", invalid="ignore")   # who calls looks at the end
-def steps(A, K, z, drive, start, x, backwards=False):
+def steps(A, K, z, drive, start, x, backwards=False, copy=None):
     """x_k = A_k x_{k-1} + K_k z_k + drive_k for all runs, into x (T, n, N); z (T, m, N), drive (T, n) or None,
     start (n, N) or (n, 1). A (k, n, n) and K (k, n, m): at later steps they are the last one. Backwards:
-    x_k = A_k x_{k+1} + K_k z_k + drive_k, from the last step to the first.
+    x_k = A_k x_{k+1} + K_k z_k + drive_k, from the last step to the first. copy: an array that z is copied into.
 
     Many multiplications by a number read and write all runs again and again. One product of matrices does it for MANY
     steps: the states after each of them are M [x; z of the first; z of the second; ...; 1].
@@ -60,7 +62,11 @@ def steps(A, K, z, drive, start, x, backwards=False):
             known = at[0], at[-1], len(block)
         W_block = W[:M.shape[1]]
         W_block[:n] = before
-        W_block[n:n + len(block) * m] = z[block.start:block.stop].reshape(-1, runs)
+        part = z[block.start:block.stop]
+        if copy is not None:
+            copy[block.start:block.stop] = part
+            part = copy[block.start:block.stop]
+        W_block[n:n + len(block) * m] = part.reshape(-1, runs)
         if drive is not None:
             W_block[-1] = 1
         states_ = np.dot(M, W_block, out=x[block.start:block.stop].reshape(-1, runs))

@@ -28,8 +28,6 @@ def filter_series(s, strict):
     for (states, part), (x_part, P) in zip(parts, found):
         x[:, states] = settled(part, x_part, P)
     gains = Gains(s, together(s, parts, [P for _, P in found]))
-    if len(s.H) > 1 and not rounding.well_conditioned(gains.S):
-        return None
     if not np.isfinite(x[-1]).all():
         return None                             # too large for numbers: the loop says at which step
     result = result_of(gains, x)
@@ -58,11 +56,13 @@ def filter_part(s):
         return filter_number(s)
     if not is_diagonal(s.R):
         return None
+    found = None
     if s.varies and len(s.z) >= blocks.LONG:
         found = with_head(s, blocks.filter_blocks)
-        if found is not None:
-            return found
-    return with_head(s, filter_states)
+    found = found or with_head(s, filter_states)
+    if found and len(s.H) > 1 and not rounding.well_conditioned(Gains(s, found[1]).S):
+        return None
+    return found
 
 
 def is_diagonal(R):
