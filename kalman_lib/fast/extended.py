@@ -3,6 +3,7 @@
 Serves the row "beetle EKF" of the bench, and the studies of chapter 5. All arrays have the axis of the runs as their
 last one: P (T, n, n, N) and so on.
 """
+import functools
 from itertools import repeat
 
 import numpy as np
@@ -18,57 +19,66 @@ def filter_runs(model, z, u):
     """z (T, 1, N), u (T, l) or None -> FilterResult; None where the loop is needed: rounding, or a number not finite."""
     T, _, runs = z.shape
     n = len(model.x0)
-    Q = [[q or None for q in row] for row in np.asarray(model.Q).tolist()]
-    u = list(repeat(None, T)) if u is None else u
-    x = np.empty((T, n, runs))
-    steps = []
-    x_k, P = np.repeat(model.x0[:, np.newaxis], runs, axis=1), np.asarray(model.P0).tolist()
-    for k in range(T):
-        x_pred, F = _transition(model, x_k, u[k])
-        P_pred = entries.predict(P, entries.sparse(F), Q)
-        h, H = _measure(model, x_pred, u[k])
-        silent = np.isnan(z[k])
-        y = np.where(silent, np.nan, model.residual(z[k], h))
-        h_sparse = entries.sparse(H)[0]
-        P_before, heard = P, ~silent[0] if silent.any() else None
-        P, K, S = entries.update(P_pred, h_sparse, float(model.R[0, 0]), heard)
-        if len(h_sparse) != 1 or not np.isfinite(h).all() or _loses_digits(F, P_before, P_pred, P):
-            return None
-        known = y[0] if heard is None else np.nan_to_num(y[0])
-        x_k = x[k]
-        for i, K_i in enumerate(K):
-            np.add(x_pred[i], K_i * known, out=x_k[i])
-        steps.append(([[row] for row in x_pred], P_pred, P, [y], [[S]], [[K_i] for K_i in K], F, H))
-    if not np.isfinite(x).all():
+    found = _run(model, z, u, keep=False)
+    if found is None:
         return None
-    return _result(model, z, x, steps)
+    x, P = found
+    again = functools.cache(lambda: _run(model, z, u, keep=True)[1])    # what is rarely read is computed again
 
-
-def _result(model, z, x, steps):
-    """The FilterResult; what is read is stacked then."""
-    T, n, runs = x.shape
-
-    def stacked(i, flat=False):
+    def stacked(steps, i, flat=False):
         """Entry i of every step as an array (T, rows, columns, N)."""
         whole = np.array([[[np.broadcast_to(entry, runs) for entry in row] for row in step[i]] for step in steps])
         return whole[:, :, 0] if flat else whole
 
-    names = ("x_pred", "P_pred", "P", "y", "S", "K", "F", "H")
-    later = {name: lambda i=i, name=name: stacked(i, name in ("x_pred", "y")) for i, name in enumerate(names)}
+    names = ("P", "x_pred", "P_pred", "y", "S", "K", "F", "H")
+    later = {name: lambda i=i, name=name: stacked(again(), i, name in ("x_pred", "y"))
+             for i, name in enumerate(names)}
+    later["P"] = lambda: stacked(P, 0)
     return LazyFilterResult.of(
         later, x=x, start=root_of(model.P0), gated=np.broadcast_to(False, z.shape),
         Q=np.broadcast_to(model.Q, (T, n, n)), R=np.broadcast_to(model.R, (T, 1, 1)))
 
 
+def _run(model, z, u, keep):
+    """x (T, n, N) and for each step (P,), with keep also what else it has computed; None: see filter_runs."""
+    T, _, runs = z.shape
+    Q = [[q or None for q in row] for row in np.asarray(model.Q).tolist()]
+    u = repeat(None) if u is None else u
+    x = np.empty((T, len(model.x0), runs))
+    steps = []
+    x_k, P = np.repeat(model.x0[:, np.newaxis], runs, axis=1), np.asarray(model.P0).tolist()
+    for k, u_k in zip(range(T), u):
+        x_pred, F = _transition(model, x_k, u_k)
+        F_sparse = entries.sparse(F)
+        P_pred = entries.predict(P, F_sparse, Q)
+        h, H = _measure(model, x_pred, u_k)
+        silent = np.isnan(z[k])
+        y = np.where(silent, np.nan, model.residual(z[k], h))
+        h_sparse = entries.sparse(H)[0]
+        P_before, heard = P, ~silent[0] if silent.any() else None
+        P, K, S = entries.update(P_pred, h_sparse, float(model.R[0, 0]), heard)
+        if len(h_sparse) != 1 or not np.isfinite(h).all() or _loses_digits(F_sparse, P_before, P_pred, P):
+            return None
+        known = y[0] if heard is None else np.nan_to_num(y[0])
+        x_k = x[k]
+        for i, K_i in enumerate(K):
+            np.add(x_pred[i], K_i * known, out=x_k[i])
+        rest = ([[row] for row in x_pred], P_pred, [y], [[S]], [[K_i] for K_i in K], F, H)
+        steps.append((P, *rest) if keep else (P,))
+    return (x, steps) if np.isfinite(x).all() else None
+
+
 @np.errstate(all="ignore")
 def _loses_digits(F, before, P_pred, P):
     """Does the step take so much from a variance that its digits are lost (rounding.py), in any of the runs?"""
-    sigma = [np.sqrt(before[j][j]) for j in range(len(F))]
-    for i, row in enumerate(entries.sparse(F)):
-        terms = sum(np.abs(sigma[j] if entry is None else entry * sigma[j]) for j, entry in row)
-        lost = np.maximum(terms * terms / P_pred[i][i], P_pred[i][i] / P[i][i])
-        if not (lost <= LOST).all():
+    for i, row in enumerate(F):
+        if not np.max(P_pred[i][i] / P[i][i]) <= LOST:
             return True
+        if len(row) > 1:                        # a sum, which may be smaller than its terms
+            sigma = [np.sqrt(before[j][j]) for j, _ in row]
+            terms = sum(np.abs(s if entry is None else entry * s) for (_, entry), s in zip(row, sigma))
+            if not np.max(terms * terms / P_pred[i][i]) <= LOST:
+                return True
     return False
 
 
