@@ -216,10 +216,12 @@ def _roots_again(result):
     if result.start is None:
         raise ValueError("This result holds no root of P0 (start), so it cannot be smoothed. / "
                          "Hasil ini tidak memuat akar P0 (start), jadi tidak dapat dihaluskan.")
-    L = result.start
+    L, Q_before, Q_root = result.start, None, None
     turns, learnt, roots = [], [], []
     for F, Q, H, R, y in zip(result.F, result.Q, result.H, result.R, result.y):
-        L_pred, rotation = rotated(np.hstack([F @ L, root_of(Q)]))
+        if Q_before is None or not np.array_equal(Q, Q_before):         # most often Q stays
+            Q_before, Q_root = Q, root_of(Q)
+        L_pred, rotation = rotated(np.hstack([F @ L, Q_root]))
         g, A = np.zeros(len(L)), np.eye(len(L))
         for a, S, A_i, y_i in one_after_another(L_pred, y, H, R):
             g = g + A @ a * (y_i / S)           # x = x_pred + L_pred g

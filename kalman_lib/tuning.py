@@ -4,7 +4,6 @@ Sources: the likelihood through the innovations, Schweppe (1965); whiteness, Lju
 the step of a continuous model, Van Loan (1978).
 """
 import inspect
-import warnings
 from dataclasses import replace
 from typing import Any, NamedTuple
 
