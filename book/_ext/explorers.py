@@ -4,7 +4,10 @@ A page loads core.js and core.css once and the script of each paper it shows: cl
 modules from file://. Every folder in book/explorers/papers belongs to the paper of the same name, and its ranges and words
 come from the Params of that paper. bundle.mjs does the bundling and leaves out the words of the other language.
 
-`python book/_ext/explorers.py FOLDER LANGUAGE` writes the files into FOLDER and does nothing else.
+The same explorers are the widgets of the notebooks: one ES module with all papers in both languages, which belongs to the
+package (kalman_lib/live/bundle, made, not stored in Git).
+
+`python book/_ext/explorers.py` makes what the notebooks need; with FOLDER LANGUAGE it writes the files of a page into FOLDER.
 """
 
 import importlib
@@ -21,6 +24,7 @@ import offline
 SOURCES = offline.BOOK / "explorers"
 DATA = offline.BOOK.parent / "notebooks" / "data"
 FOLDER = "vendor/explorers"
+FOR_NOTEBOOKS = offline.BOOK.parent / "kalman_lib" / "live" / "bundle"
 ELEMENT = re.compile(r"<kalman-explorer\b([^>]*)>")
 
 
@@ -54,10 +58,13 @@ def table(name, language):
     }
 
 
-def bundle(target, language, sources=SOURCES):
-    """Write the scripts and the style sheet of one language (None: with both) into a folder -> {paper: its views}."""
+def bundle(target, language, sources=SOURCES, host="page"):
+    """Write the scripts and the style sheet of one language (None: with both) into a folder -> {paper: its views}.
+
+    host: "page" of the book, or "cell" of a notebook.
+    """
     papers = {name: table(name, language) for name in paper_names(sources)}
-    question = {"sources": str(sources), "data": str(DATA), "language": language, "papers": papers}
+    question = {"host": host, "sources": str(sources), "data": str(DATA), "language": language, "papers": papers}
     program = Path(__file__).with_name("bundle.mjs")
     made = subprocess.run(
         [str(offline.node_binary()), str(program)],
@@ -71,6 +78,11 @@ def bundle(target, language, sources=SOURCES):
     for name, text in answer["files"].items():
         offline.write_if_new(target / name, text.encode())
     return answer["views"]
+
+
+def for_notebooks(target=FOR_NOTEBOOKS):
+    """Write the module, the style sheet and the starting values that kalman_lib.explorer shows in a notebook."""
+    return bundle(target, None, host="cell")
 
 
 def check():
@@ -138,4 +150,7 @@ def setup(app):
 if __name__ == "__main__":
     offline.install()
     check()
-    bundle(Path(sys.argv[1]), sys.argv[2])
+    if sys.argv[1:]:
+        bundle(Path(sys.argv[1]), sys.argv[2])
+    else:
+        for_notebooks()
