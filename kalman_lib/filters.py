@@ -6,7 +6,7 @@ estimate. Source: Kalman (1960).
 Every covariance is kept as a product P = L L' of its root L (roots.py). So it stays a covariance, however small Q and R
 or large P0 are.
 """
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 from numbers import Real
 from typing import NamedTuple
 
@@ -33,6 +33,11 @@ class Update(NamedTuple):
     K: np.ndarray
 
 
+def _nothing():
+    """The default of a field that a result may lack."""
+    return field(default_factory=lambda: None)
+
+
 @dataclass(frozen=True, eq=False)
 class FilterResult:
     """Everything the filter computed, stacked over T steps; all arrays are read-only.
@@ -56,10 +61,10 @@ class FilterResult:
     K: np.ndarray
     F: np.ndarray
     R: np.ndarray
-    H: np.ndarray | None = None
-    Q: np.ndarray | None = None
-    start: np.ndarray | None = None
-    gated: np.ndarray | None = None
+    H: np.ndarray | None = _nothing()
+    Q: np.ndarray | None = _nothing()
+    start: np.ndarray | None = _nothing()
+    gated: np.ndarray | None = _nothing()
 
     def __post_init__(self):
         _read_only(self)
@@ -77,12 +82,12 @@ class SmootherResult:
 
 def _read_only(result):
     """Every array of a result as a read-only view."""
-    for field in fields(result):
-        array = getattr(result, field.name)
+    for part in fields(result):
+        array = getattr(result, part.name)
         if array is not None:
             array = array.view()
             array.setflags(write=False)
-            object.__setattr__(result, field.name, array)
+            object.__setattr__(result, part.name, array)
 
 
 def predict(model, x, P, u=None, k=0):

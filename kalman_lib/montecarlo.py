@@ -1,48 +1,91 @@
-"""Monte Carlo: the same experiment many times with fresh noise, on one processor or on a whole cluster.
+"""Monte Carlo: the same experiment many times with fresh noise, on one processor or on a cluster.
 
-The runs are cut into blocks of fixed size, and every block has a seed of its own, spawned from the generator that is
-given (numpy SeedSequence.spawn). So the numbers are the same to the last bit for no executor, for one process, two, or a
-cluster, in whatever order the blocks come back, and also if a worker dies and its block is computed again.
+The runs are cut into blocks of fixed size, and every block has a seed of its own, spawned from
+the generator that is given (numpy SeedSequence.spawn). So the numbers are the same to the last bit
+for no executor, for one process, two, or a cluster, in whatever order the blocks come back, and
+also if a worker dies and its block is computed again. That holds for one kind of processor and the
+same versions of the libraries: others may round the last digit in another way.
+
+blocks.py is what a worker does, workers.py who does it, arguments.py what is refused.
 """
+import copy
 import importlib
-import inspect
-import os
-import warnings
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from .fast import kalman_filter
-from .models import LinearModel
+from .arguments import check_axes, check_call, check_kind, check_params, check_rng, check_same
+from .blocks import filter_runs, mismatch_row, monte_carlo_block, simulate_runs
+from .workers import do
+
+__all__ = ["BLOCK", "MismatchMap", "MonteCarlo", "Study", "filter_runs", "mismatch_map",
+           "monte_carlo", "simulate_runs"]
 
 BLOCK = 500             # runs that share a seed; another number gives other noise
 
 
 @dataclass(frozen=True, eq=False)
 class Study:
-    """The finished blocks of a study, by their number, and the seeds of all; interrupted, it can go on (resume=)."""
-    seeds: list
-    blocks: dict
-    total: int
+    """What a study is, and its finished blocks; with resume= it goes on, or becomes larger.
+
+    paper    name of the module
+    params   the truth
+    assumed  what the filter believes
+    planned  runs that were asked for
+    seed     SeedSequence whose next children are the seeds of the blocks
+    blocks   number of a block -> what its worker answered
+    """
+    paper: str
+    params: object
+    assumed: object
+    planned: int
+    seed: np.random.SeedSequence
+    blocks: dict = field(repr=False)
+
+    rows = 1            # how many blocks have the same runs
+
+    @property
+    def sizes(self):
+        """How many runs share each seed."""
+        return [min(BLOCK, self.planned - first) for first in range(0, self.planned, BLOCK)]
+
+    @property
+    def total(self):
+        return len(self.sizes) * self.rows
 
     @property
     def complete(self):
         return len(self.blocks) == self.total
 
+    def size(self, number):
+        """How many runs the block of this number has."""
+        return self.sizes[number // self.rows]
+
+    def seeds(self):
+        """A seed for each of the sizes. A larger study has the same ones, and then more."""
+        return _twin(self.seed).spawn(len(self.sizes))
+
     def collect(self, name):
         """What all finished blocks say about `name`, in the order of the blocks."""
+        if not self.blocks:
+            raise ValueError("No block of this study is finished yet: go on with resume=. / "
+                             "Belum ada blok studi ini yang selesai: lanjutkan dengan resume=.")
         return [self.blocks[i][name] for i in sorted(self.blocks)]
 
 
 @dataclass(frozen=True, eq=False)
 class MonteCarlo(Study):
-    """rmse (n, runs) of every run over time; over the runs: error (T, n, n), the mean of e e', which an honest filter's
-    P (T, n, n) equals, and nees (T,), whose expectation is n."""
+    """The study of one filter, over all finished runs.
+
+    runs     how many have finished
+    rmse     (n, runs), of every run over time
+    error    (T, n, n), the mean of e e' over the runs, which an honest filter's P (T, n, n) equals
+    nees     (T,), the mean over the runs; its expectation is n
+    """
 
     @property
     def runs(self):
-        return sum(self.collect("runs"))
+        return sum(block["runs"] for block in self.blocks.values())
 
     @property
     def rmse(self):
@@ -60,191 +103,126 @@ class MonteCarlo(Study):
     def nees(self):
         return sum(self.collect("nees")) / self.runs
 
+    def assumptions(self):
+        """Every Params that the filter believes in."""
+        return [self.assumed]
+
+    def tasks(self):
+        return [(monte_carlo_block, self.paper, self.params, self.assumed, size, seed)
+                for size, seed in zip(self.sizes, self.seeds())]
+
 
 @dataclass(frozen=True, eq=False)
 class MismatchMap(Study):
-    """Assumed value by assumed value: rmse (n, rows, columns) and nees (rows, columns) over all runs and steps.
+    """Assumed value by assumed value: rmse (n, rows, columns) and nees (rows, columns).
 
-    Rows and columns are the values of `assumed`, a dict with two fields of the Params; NaN where nothing is finished.
+    Both are over all runs and steps. Rows and columns are the values of `assumed`, a dict with two
+    fields of the Params; NaN where nothing is finished. A block is one row for one block of runs.
     """
-    assumed: dict
 
-    def _cells(self, name):
-        """The mean of `name` over all finished blocks of runs, (rows, columns, ...)."""
-        shape = tuple(len(values) for values in self.assumed.values())
-        entry = next(iter(self.blocks.values()))[name] if self.blocks else np.zeros(shape[1])
-        total, weight = np.zeros((shape[0], *entry.shape)), np.zeros(shape[0])
-        for i in sorted(self.blocks):
-            total[i % shape[0]] += self.blocks[i][name]
-            weight[i % shape[0]] += self.blocks[i]["weight"]
-        with np.errstate(invalid="ignore"):
-            return total / weight.reshape(-1, *[1] * (total.ndim - 1))
+    @property
+    def rows(self):
+        return self.shape[0]
+
+    @property
+    def shape(self):
+        return tuple(len(values) for values in self.assumed.values())
 
     @property
     def rmse(self):
-        return np.sqrt(np.moveaxis(self._cells("square"), -1, 0))
+        model = importlib.import_module(self.paper).model(self.assumptions()[0])
+        return np.sqrt(np.moveaxis(self._cells("square", len(model.x0)), -1, 0))
 
     @property
     def nees(self):
         return self._cells("nees")
 
+    def _cells(self, name, *entries):
+        """The mean of `name` over all finished blocks of runs, (rows, columns, ...)."""
+        total, weight = np.zeros((*self.shape, *entries)), np.zeros(self.rows)
+        for i in sorted(self.blocks):
+            total[i % self.rows] += self.blocks[i][name]
+            weight[i % self.rows] += self.blocks[i]["weight"]
+        with np.errstate(invalid="ignore"):
+            return total / weight.reshape(-1, *[1] * (total.ndim - 1))
 
-def monte_carlo(paper, params, runs, rng, executor=None, assumed=None, resume=None):
+    def assumptions(self):
+        """Every Params that the filter believes in, row by row."""
+        (row_name, rows), (column_name, columns) = self.assumed.items()
+        return [replace(self.params, **{row_name: row, column_name: column})
+                for row in rows.tolist() for column in columns.tolist()]
+
+    def tasks(self):
+        believed, columns = self.assumptions(), self.shape[1]
+        rows = [believed[i:i + columns] for i in range(0, len(believed), columns)]
+        return [(mismatch_row, self.paper, self.params, row, size, seed)
+                for size, seed in zip(self.sizes, self.seeds()) for row in rows]
+
+
+def monte_carlo(paper, params, runs, rng=None, executor=None, assumed=None, resume=None):
     """Simulate a paper's experiment `runs` times, and filter every run -> MonteCarlo.
 
     paper    module with Params, model(p) and simulate(p, rng)
     params   the truth; assumed: what the filter believes (None: the truth)
-    rng      numpy Generator
-    executor any concurrent.futures.Executor, also Client(...).get_executor() of Dask; None: in this process
-    resume   an interrupted MonteCarlo of the same study, whose blocks are not computed again; rng is not used then
+    runs     how many: a whole number
+    rng      numpy Generator. It spawns the seeds; they depend on what was spawned from it before,
+             as by another study, but not on the numbers drawn from it
+    executor any concurrent.futures.Executor, also Client(...).get_executor() of Dask; None: in this
+             process
+    resume   a MonteCarlo of the same study that was interrupted or had fewer runs; its blocks are
+             not computed again, and the result is that of one study from the start: so if it grows,
+             it takes the seeds that another study from its rng may have got since. rng is not used
 
-    Ctrl+C (in Jupyter: interrupt the kernel) ends it early and gives what is finished; so does, with a warning, an
-    executor that breaks, as a ProcessPoolExecutor does when one of its processes dies. `complete` tells.
+    Ctrl+C (in Jupyter: interrupt the kernel) ends it early and gives what is finished; so do, with
+    a warning, an executor that breaks, as a ProcessPoolExecutor does when one of its processes
+    dies, and a block that fails. `complete` tells. If no block succeeds, the error is raised.
     """
-    sizes = [min(BLOCK, runs - first) for first in range(0, runs, BLOCK)]
-    seeds = _seeds(rng, len(sizes)) if resume is None else resume.seeds
-    tasks = [(_block, paper.__name__, params, assumed or params, size, seed) for size, seed in zip(sizes, seeds)]
-    return MonteCarlo(seeds, _work(tasks, executor, resume), len(tasks))
+    check_call(paper, params, runs, executor)
+    assumed = params if assumed is None else assumed
+    check_params("assumed", assumed, paper)
+    study = _begin(MonteCarlo, paper, params, assumed, runs, rng, resume)
+    do(study.tasks(), study.blocks, executor)
+    return study
 
 
-def mismatch_map(paper, params, assumed, runs, rng, executor=None, resume=None):
-    """What a wrong Q or R costs: the same runs filtered under every pair of assumptions -> MismatchMap.
+def mismatch_map(paper, params, assumed, runs, rng=None, executor=None, resume=None):
+    """What a wrong Q or R costs: the same runs filtered under pairs of assumptions -> MismatchMap.
 
-    assumed  dict with two fields of the Params, each with the values that the filter is to believe in, for example
-             {"sigma_w": [...], "sigma_v": [...]}; the truth is in params. The rest is as in monte_carlo.
+    assumed  dict with two fields of the Params, each with the values that the filter is to believe
+             in, for example {"sigma_w": [...], "sigma_v": [...]}; the truth is in params. The rest
+             is as in monte_carlo.
     """
-    (row_name, row_values), (column_name, column_values) = assumed.items()
-    sizes = [min(BLOCK, runs - first) for first in range(0, runs, BLOCK)]
-    seeds = _seeds(rng, len(sizes)) if resume is None else resume.seeds
-    tasks = [(_row, paper.__name__, params, [replace(params, **{row_name: row, column_name: column})
-                                             for column in column_values], size, seed)
-             for size, seed in zip(sizes, seeds) for row in row_values]
-    return MismatchMap(seeds, _work(tasks, executor, resume), len(tasks), assumed)
+    check_call(paper, params, runs, executor)
+    check_axes(assumed, paper)
+    axes = {name: np.array(values) for name, values in assumed.items()}
+    study = _begin(MismatchMap, paper, params, axes, runs, rng, resume)
+    do(study.tasks(), study.blocks, executor)
+    return study
 
 
-# --- what a worker does ----------------------------------------------------------------------------------------------
-
-def _block(paper, params, assumed, runs, seed):
-    """One block of a MonteCarlo: sums over its runs."""
-    paper = importlib.import_module(paper)
-    x, z, u = simulate_runs(paper, params, np.random.default_rng(seed), runs)
-    estimate, P = filter_runs(paper.model(assumed), z, u)
-    e = x - estimate
-    shared = P.ndim == 3
-    error = e @ e.swapaxes(1, 2)
-    return {"runs": runs, "rmse": np.sqrt(np.mean(e ** 2, axis=0)), "error": error,
-            "P": runs * P if shared else P.sum(axis=-1), "nees": _nees(e, error, P)}
-
-
-def _row(paper, params, assumptions, runs, seed):
-    """One row of a MismatchMap for a block of runs: sums over runs and steps, column by column."""
-    paper = importlib.import_module(paper)
-    x, z, u = simulate_runs(paper, params, np.random.default_rng(seed), runs)
-    square, nees = [], []
-    for p in assumptions:
-        estimate, P = filter_runs(paper.model(p), z, u)
-        e = np.subtract(x, estimate, out=estimate)
-        error = e @ e.swapaxes(1, 2)
-        square.append(np.einsum("kii->i", error))
-        nees.append(_nees(e, error, P).sum())
-    return {"weight": runs * len(x), "square": np.array(square), "nees": np.array(nees)}
+def _begin(kind, paper, params, assumed, runs, rng, resume):
+    """A study of this kind: empty, or with those blocks of `resume` that are its own, too."""
+    if resume is None:
+        check_rng(rng)
+        parent = rng.bit_generator.seed_seq
+    else:
+        check_kind(resume, kind)
+        parent = resume.seed
+    params, assumed = copy.deepcopy((params, assumed))
+    study = kind(paper.__name__, params, assumed, int(runs), _twin(parent), {})
+    if resume is not None:
+        check_same(resume, study)
+    for believed in study.assumptions():        # what the model refuses is told before any work
+        paper.model(believed)
+    if resume is None:
+        parent.spawn(len(study.sizes))          # so the next study from this rng has other seeds
+        return study
+    for number, block in resume.blocks.items():
+        if block["runs"] == study.size(number):         # the last one may have been smaller
+            study.blocks[number] = block
+    return study
 
 
-def _nees(e, error, P):
-    """The sum over the runs of e' P^-1 e, (T,). Where all runs share P it is the trace of P^-1 times the sum of e e'."""
-    if P.ndim == 3:
-        return np.einsum("kii->k", np.linalg.solve(P, error))
-    return np.einsum("kir,rki->k", e, np.linalg.solve(P.transpose(3, 0, 1, 2), e.transpose(2, 0, 1)[..., np.newaxis])[..., 0])
-
-
-def simulate_runs(paper, params, rng, runs):
-    """x (T, n, runs), z (T, m, runs) and the common u (T, l) or None."""
-    if "runs" in inspect.signature(paper.simulate).parameters:
-        flight = paper.simulate(params, rng, runs=runs)
-        return flight.x, flight.z, flight.u
-    flights = [paper.simulate(params, rng) for _ in range(runs)]
-    return np.stack([f.x for f in flights], axis=-1), np.stack([f.z for f in flights], axis=-1), flights[0].u
-
-
-def filter_runs(model, z, u):
-    """The estimates x (T, n, runs), and P (T, n, n) or, where every run has its own, (T, n, n, runs)."""
-    linear = isinstance(model, LinearModel) and model.R.ndim == 2 and not np.isnan(z.max())
-    if linear or (getattr(model, "many_runs", False) and z.shape[1] == 1):
-        result = kalman_filter(model, z, u)
-        return result.x, result.P
-    results = [kalman_filter(model, z[:, :, run], u) for run in range(z.shape[2])]
-    return np.stack([r.x for r in results], axis=-1), np.stack([r.P for r in results], axis=-1)
-
-
-# --- who does it -----------------------------------------------------------------------------------------------------
-
-def _seeds(rng, blocks):
-    return rng.bit_generator.seed_seq.spawn(blocks)
-
-
-def _work(tasks, executor, resume):
-    """Do what is not yet done -> number of the task -> its answer; interrupted: those that are finished."""
-    done = {} if resume is None else dict(resume.blocks)
-    with _progress(len(tasks), len(done)) as bar:
-        try:
-            if executor is None:
-                for i in range(len(tasks)):
-                    if i not in done:
-                        function, *arguments = tasks[i]
-                        done[i] = function(*arguments)
-                        bar.update()
-            else:
-                for last in (False, False, True):
-                    _hand_out(tasks, executor, done, bar, last)
-        except KeyboardInterrupt:
-            print(f"{len(done)} / {len(tasks)} (resume=...)")
-        except Exception as error:
-            from concurrent.futures import BrokenExecutor
-            if not (done and isinstance(error, BrokenExecutor)):
-                raise
-            warnings.warn(f"A process of the executor died, and with it the executor; {len(done)} of {len(tasks)} blocks are "
-                          "finished: go on with resume= and another executor. / Satu proses eksekutor mati, dan eksekutornya "
-                          f"ikut berakhir; {len(done)} dari {len(tasks)} blok selesai: lanjutkan dengan resume= dan eksekutor "
-                          "lain.", stacklevel=3)
-    return done
-
-
-def _hand_out(tasks, executor, done, bar, last):
-    """Let the executor do what is left. A block that fails is left for the next round: its worker may have died, and the
-    seed makes its numbers the same again. If all fail, or some still do in the last round, it is not the worker."""
-    from concurrent.futures import as_completed
-    futures = {executor.submit(*tasks[i]): i for i in range(len(tasks)) if i not in done}
-    errors = []
-    try:
-        for future in as_completed(futures):
-            try:
-                done[futures[future]] = future.result()
-                bar.update()
-            except Exception as error:
-                errors.append(error)
-    except KeyboardInterrupt:
-        for future, i in futures.items():       # what has finished meanwhile counts, too
-            if not future.cancel() and future.done() and future.exception() is None:
-                done[i] = future.result()
-        raise
-    if errors and (last or len(errors) == len(futures)):
-        raise errors[0]
-
-
-def _progress(total, initial):
-    """A progress bar for what takes longer than a second; none without tqdm, or where TQDM_DISABLE is set."""
-    try:
-        from tqdm.auto import tqdm
-    except ImportError:
-        return _Silent()
-    return tqdm(total=total, initial=initial, delay=1, leave=False, disable=bool(os.environ.get("TQDM_DISABLE")))
-
-
-class _Silent:
-    update: Callable = staticmethod(lambda: None)
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *error):
-        return False
+def _twin(seed):
+    """Another SeedSequence with the same children to come."""
+    return np.random.SeedSequence(**seed.state)

@@ -3,6 +3,7 @@ import functools
 import http.server
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -132,3 +133,17 @@ def bundle(chromium, tmp_path_factory):
         page.add_script_tag(path=folder / f"{name}.js")
     yield page
     page.close()
+@pytest.fixture
+def flag(tmp_path):
+    """The file that makes the accident of accident.py happen, as long as it exists."""
+    path = tmp_path / "flag"
+    path.touch()
+    return path
+
+
+@pytest.fixture
+def usual_ctrl_c():
+    """Ctrl+C as it is at a keyboard: what a shell runs in the background does not get it."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)

@@ -18,7 +18,7 @@ import pytest
 
 from explorer_cases import cases
 from explorer_helpers import PAPERS, SETS, SOURCES, close, listed
-from kalman_lib import chi2_bounds, kalman_filter, nees, nis, rmse, rts_smooth
+from kalman_lib import LinearModel, chi2_bounds, kalman_filter, nees, nis, rmse, rts_smooth
 from kalman_lib.papers import describe
 
 OWN_MOTION = {
@@ -26,13 +26,13 @@ OWN_MOTION = {
 }  # simulate is a flight, not the model's own noise: see test_explorer_quadrotor.py
 
 RUN = """text => {
-  const { papers, filters, metrics } = KalmanExplorers;
+  const { papers, smoother, metrics } = KalmanExplorers;
   const numbers = list => list && Float64Array.from(list, value => value === null ? NaN : value);
   return JSON.stringify(JSON.parse(text).map(({ paper, p, z, u, x }) => {
     const { model, run, twins = {} } = papers[paper];
     const data = { z: numbers(z), u: numbers(u), x: numbers(x) }, { n, m } = model(p);
     data.T = data.z.length / m;
-    const result = run(p, data), smooth = filters.rtsSmooth(result), out = {};
+    const result = run(p, data), smooth = smoother.rtsSmooth(result), out = {};
     for (const name of ["x_pred", "P_pred", "x", "P", "y", "S",
       "K"]) out[name] = Array.from(result[name]);
     Object.assign(out, { x_smooth: Array.from(smooth.x), P_smooth: Array.from(smooth.P),
@@ -284,3 +284,28 @@ def test_chi_square_bounds(dof, runs, bundle):
     assert bundle.evaluate(
         "([dof, runs]) => KalmanExplorers.metrics.chi2Bounds(dof, runs)", [dof, runs]
     ) == pytest.approx(chi2_bounds(dof, runs), rel=1e-9)
+
+
+def test_a_row_of_which_one_sensor_is_silent(bundle):
+    """The finite part of a row is a measurement, as in Python."""
+    rng = np.random.default_rng(4)
+    R = [[1, 0.5, 0.1], [0.5, 1, 0.2], [0.1, 0.2, 2]]
+    model = LinearModel(
+        [[1, 0.1], [0, 0.9]], [[1, 0], [0, 1], [1, 1]], 0.1 * np.eye(2), R, [0, 1], np.eye(2)
+    )
+    z = rng.normal(size=(60, 3))
+    z[rng.random(z.shape) < 0.4] = np.nan
+    theirs = bundle.evaluate(
+        """([F, H, Q, R, x0, P0, z]) => {
+  const { filters, models, smoother } = KalmanExplorers;
+  const model = models.linearModel({ F, H, Q, R, x0, P0 });
+  const numbers = Float64Array.from(z, value => value === null ? NaN : value);
+  const result = filters.kalmanFilter(model, numbers), smooth = smoother.rtsSmooth(result);
+  return [result.x, result.P, result.K, smooth.x, smooth.P].map(values => Array.from(values));
+}""",
+        [listed(getattr(model, name)) for name in ("F", "H", "Q", "R", "x0", "P0")] + [listed(z)],
+    )
+    result = kalman_filter(model, z)
+    smooth = rts_smooth(result)
+    for ours, values in zip((result.x, result.P, result.K, smooth.x, smooth.P), theirs):
+        np.testing.assert_allclose(np.ravel(ours), values, rtol=1e-9, atol=1e-12)

@@ -22,7 +22,10 @@ ALLOWED = {     # file -> what of our own it may import, and which packages; the
     "many.py": ({"models", "filters"}, NUMERICS),
     "numeric.py": (set(), NUMERICS | {"scipy"}),
     "tuning.py": ({"checks", "models", "roots", "filters", "fast", "numeric"}, NUMERICS | {"scipy"}),
-    "montecarlo.py": ({"models", "fast"}, NUMERICS | {"tqdm"}),         # tqdm: only if it is there
+    "montecarlo.py": ({"arguments", "blocks", "workers"}, NUMERICS),
+    "arguments.py": (set(), NUMERICS),
+    "blocks.py": ({"models", "fast"}, NUMERICS),
+    "workers.py": (set(), {"tqdm"}),            # only if it is there
     "__init__.py": ({"models", "metrics", "simulate", "filters", "fast", "tuning", "montecarlo"}, set()),
     "spreadsheet.py": (set(), NUMERICS | {"openpyxl"}),
     "recording.py": ({"spreadsheet"}, NUMERICS),

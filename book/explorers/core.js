@@ -5,6 +5,7 @@ export * as linalg from "./numerics/linalg.js";
 export * as leastsquares from "./numerics/leastsquares.js";
 export * as models from "./numerics/models.js";
 export * as filters from "./numerics/filters.js";
+export * as smoother from "./numerics/smoother.js";
 export * as metrics from "./numerics/metrics.js";
 export * as random from "./numerics/random.js";
 export * as input from "./language/input.js";

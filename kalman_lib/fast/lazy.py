@@ -92,11 +92,15 @@ def result_of(gains, x):
     def whole(name):
         return lambda: repeat_last(getattr(gains, name), T)
 
+    def fixed(name):
+        M = getattr(s, name)
+        return lambda: np.broadcast_to(M, (T, *M.shape[-2:]))
+
     later = {name: whole(name) for name in ("P", "P_pred", "S", "K")}
-    later |= {"x_pred": lambda: predictions(s, x), "y": innovations}
-    fixed = {name: np.broadcast_to(M, (T, *M.shape[-2:])) for name, M in zip("FHQR", (s.F, s.H, s.Q, s.R))}
-    gated = np.broadcast_to(False, s.z.shape)
-    return LazyFilterResult.of(later, x=x, gains=gains, gated=gated, start=root_of(s.P0), **fixed)
+    later |= {name: fixed(name) for name in ("F", "H", "Q", "R")}
+    later |= {"x_pred": lambda: predictions(s, x), "y": innovations, "start": lambda: root_of(s.P0),
+              "gated": lambda: np.broadcast_to(False, s.z.shape)}
+    return LazyFilterResult.of(later, x=x, gains=gains)
 
 
 def predictions(s, x):

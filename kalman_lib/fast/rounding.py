@@ -8,7 +8,7 @@ import numpy as np
 from .scan import radius
 
 LOST = 100              # rounding errors that may add up: two digits
-FAR = 500               # times that z may be larger than the innovations, and x0 than x
+FAR = 1000              # times that z may be larger than the innovations, and x0 than x: three digits
 ALIKE = 0.02            # the smallest eigenvalue of correlations whose inverse keeps its digits
 
 
@@ -32,10 +32,14 @@ def too_much(s, P):
 
 def memory(s, P):
     """How many steps an error lives in a filter that has come to P."""
+    return steps_alive(s.F - gain_after(s, P) @ s.H @ s.F, len(s.z))
+
+
+def gain_after(s, P):
+    """The gain K of the step after P."""
     P_pred = s.F @ P @ s.F.T + s.Q
     S = s.H @ P_pred @ s.H.T + (s.R if s.R.ndim == 2 else s.R[-1])
-    K = np.linalg.solve(S, s.H @ P_pred).T
-    return steps_alive(s.F - K @ s.H @ s.F, len(s.z))
+    return np.linalg.solve(S, s.H @ P_pred).T
 
 
 def steps_alive(A, T):
@@ -65,10 +69,18 @@ def _squares(A):
     return (A[:, :, np.newaxis] * A[:, np.newaxis, :]).reshape(len(A), A.shape[1] ** 2)
 
 
-def near(s, x, y):
-    """Are the data near enough to zero? Largest values: x (n,) of the states, y (m,) of the innovations.
+def usual(a):
+    """The middle value of each column of a (T, .): the median, but quicker."""
+    return np.partition(a, len(a) // 2, axis=0)[len(a) // 2]
+
+
+def near(s, largest, usual, y, P):
+    """Are the data near enough to zero? largest and usual (n,): |x| of the states, y (m,): usual |innovations|, P: the last.
 
     z = 1e6 + a little has lost six digits before the filter begins, and every form of it loses others.
     """
-    size = np.abs(s.H) @ np.maximum(x, np.abs(s.x0))
-    return bool((size <= FAR * y).all() and (np.abs(s.F) @ np.abs(s.x0) <= FAR * x).all())
+    size = np.abs(s.H) @ np.maximum(largest, np.abs(s.x0))
+    K = gain_after(s, P)
+    told = np.abs(K) @ size * np.sqrt(steps_alive(s.F - K @ s.H @ s.F, len(s.z)))   # to the states, by rounding z
+    started = np.abs(s.F) @ np.abs(s.x0)
+    return bool((size <= FAR * y).all() and (told <= FAR * usual).all() and (started <= FAR * usual).all())

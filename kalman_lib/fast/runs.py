@@ -23,30 +23,20 @@ def filter_runs(s):
     gains = Gains(s, states.together(s, parts, [P for _, P in found]))
     if not rounding.well_conditioned(gains.S):
         return None
-    x = np.empty((len(s.z), len(s.x0), s.z.shape[2]))
     I_KH = np.eye(len(s.x0)) - gains.K @ s.H
     if radius(I_KH[-1] @ s.F) > STEADY:
-        one_by_one(s, repeat_last(gains.K, len(x)), x)      # 1 - K has lost the digits of a small K
-    else:
-        drive = None
-        if s.drive is not None:
-            drive = np.einsum("kij,kj->ki", repeat_last(I_KH, len(x)), s.drive)
-        steps(I_KH @ s.F, gains.K, s.z, drive, s.x0[:, np.newaxis], x)
+        return None                             # 1 - K has lost the digits of a small K
+    drive = None
+    if s.drive is not None:
+        drive = np.einsum("kij,kj->ki", repeat_last(I_KH, len(s.z)), s.drive)
+    x = np.empty((len(s.z), len(s.x0), s.z.shape[2]))
+    steps(I_KH @ s.F, gains.K, s.z, drive, s.x0[:, np.newaxis], x)
     if not np.isfinite(x[-1]).all():
         return None                             # a NaN in z would still be there
-    largest = np.abs(x[MANY - 1::MANY]).max(axis=(0, 2), initial=0)
-    S = np.sqrt(np.einsum("kii->ki", gains.S)).max(axis=0)
-    return result_of(gains, x) if rounding.near(s, largest, S) else None
-
-
-def one_by_one(s, K, x):
-    """The filter's own equations for all runs, one step after the other, into x (T, n, N)."""
-    before = s.x0[:, np.newaxis]
-    for k in range(len(x)):
-        x_pred = s.F @ before
-        if s.drive is not None:
-            x_pred = x_pred + s.drive[k][:, np.newaxis]
-        before = np.add(x_pred, K[k] @ (s.z[k] - s.H @ x_pred), out=x[k])
+    largest = np.abs(x[::MANY]).max(axis=(0, 2))
+    y = np.sqrt(np.diag(gains.S[-1]))
+    near = rounding.near(s, largest, np.abs(x[-1]).mean(axis=1), y, gains.P[-1])
+    return result_of(gains, x) if near else None
 
 
 @np.errstate(over="ignore", invalid="ignore")   # who calls looks at the end

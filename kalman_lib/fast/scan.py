@@ -11,7 +11,7 @@ STEADY = 0.995          # a filter that keeps more than this of an error from st
 
 def radius(A):
     """The largest |eigenvalue|: what a step leaves of an error in the long run."""
-    return np.abs(np.linalg.eigvals(A)).max()
+    return abs(A[0, 0]) if len(A) == 1 else np.abs(np.linalg.eigvals(A)).max()
 
 
 def scan(A, d, x):

@@ -29,9 +29,11 @@ def filter_series(s):
     if len(s.H) > 1 and not rounding.well_conditioned(gains.S):
         return None
     result = result_of(gains, x)
-    innovations = np.abs(result.y)
-    np.nan_to_num(innovations, copy=False)
-    return result if rounding.near(s, np.abs(x).max(axis=0), innovations.max(axis=0)) else None
+    size = np.abs(x)
+    y = np.abs(result.y)
+    usual_y = rounding.usual(y) if s.silent is None else np.nanmedian(y, axis=0)
+    near = rounding.near(s, size.max(axis=0), rounding.usual(size), usual_y, gains.P[-1])
+    return result if near else None
 
 
 def together(s, parts, covariances):
@@ -136,14 +138,8 @@ def has_settled(s, P, before):
     change, limit = np.abs(P - before), 1e-13 * np.outer(sigma, sigma)
     if (change > limit).any():
         return False
-    rho = radius(s.F - gain_after(s, P) @ s.H @ s.F)
+    rho = radius(s.F - rounding.gain_after(s, P) @ s.H @ s.F)
     return rho <= STEADY and bool((change <= limit * (1 - rho ** 2)).all())
-
-
-def gain_after(s, P):
-    """The gain K of the step after P."""
-    P_pred = s.F @ P @ s.F.T + s.Q
-    return np.linalg.solve(s.H @ P_pred @ s.H.T + s.R, s.H @ P_pred).T
 
 
 def settled(s, head, P):
@@ -151,7 +147,7 @@ def settled(s, head, P):
     k, T = len(head), len(s.z)
     if k == T:
         return head
-    K = gain_after(s, P[-1])
+    K = rounding.gain_after(s, P[-1])
     I_KH = np.eye(len(s.x0)) - K @ s.H
     x = np.empty((T, len(s.x0)))
     x[:k] = head

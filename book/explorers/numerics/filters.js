@@ -1,6 +1,6 @@
-// The Kalman filter and the Rauch-Tung-Striebel smoother: twin of kalman_lib/filters.py.
+// The Kalman filter: twin of kalman_lib/filters.py. The smoother lies in smoother.js.
 // Everything is a Float64Array, step after step: x (T n), P (T n n), z (T m), and so on.
-import { addTo, multiply, multiplyTransposed, solve, symmetric, transpose } from "./linalg.js";
+import { addTo, multiply, multiplyTransposed, row, solve, symmetric, transpose } from "./linalg.js";
 import { hasNoiseOfSteps, noiseAt } from "./models.js";
 
 /** Room for one step: what `predict` and `update` write into. */
@@ -49,13 +49,14 @@ function innovation(model, z, R, s) {
   addTo(s.S, R);
 }
 
-/** Blend s.x_pred and s.P_pred with the measurement z (m): x, P (Joseph's form), y, S, K go into s. */
+/**
+ * Blend s.x_pred and s.P_pred with the measurement z (m): x, P (Joseph's form), y, S, K go into s.
+ * A sensor is silent where z is NaN: its y is NaN, its column of K is 0, and the others are used.
+ */
 export function update(model, z, R, s) {
   const { n, m } = model;
   innovation(model, z, R, s);
-  s.S_used.set(s.S);
-  solve(s.S_used, s.HP, m, n); // K' = S^-1 H P_pred
-  transpose(s.HP, m, n, s.K);
+  gain(s, n, m);
   correct(s, n, m);
   multiply(s.K, s.H, n, m, n, s.I_KH);
   for (let i = 0; i < n * n; i++) {
@@ -70,12 +71,44 @@ export function update(model, z, R, s) {
   symmetric(s.P, n);
 }
 
-/** x = x_pred + K y. */
+/** K = P_pred H' S^-1. */
+function gain(s, n, m) {
+  if (s.y.some(Number.isNaN)) {
+    gainOfHeard(s, n, m);
+    return;
+  }
+  s.S_used.set(s.S);
+  solve(s.S_used, s.HP, m, n); // K' = S^-1 H P_pred
+  transpose(s.HP, m, n, s.K);
+}
+
+/** The same of the sensors that are heard; 0 for the others. */
+function gainOfHeard(s, n, m) {
+  const heard = [...s.y.keys()].filter((j) => !Number.isNaN(s.y[j]));
+  const h = heard.length;
+  heard.forEach((j, row_j) => {
+    s.HP.copyWithin(row_j * n, j * n, (j + 1) * n);
+    heard.forEach((i, column) => {
+      s.S_used[row_j * h + column] = s.S[j * m + i];
+    });
+  });
+  solve(s.S_used, s.HP, h, n);
+  s.K.fill(0);
+  heard.forEach((j, row_j) => {
+    for (let i = 0; i < n; i++) {
+      s.K[i * m + j] = s.HP[row_j * n + i];
+    }
+  });
+}
+
+/** x = x_pred + K y, with what was heard. */
 function correct(s, n, m) {
   for (let i = 0; i < n; i++) {
     let sum = s.x_pred[i];
     for (let j = 0; j < m; j++) {
-      sum += s.K[i * m + j] * s.y[j];
+      if (!Number.isNaN(s.y[j])) {
+        sum += s.K[i * m + j] * s.y[j];
+      }
     }
     s.x[i] = sum;
   }
@@ -137,7 +170,7 @@ function store(result, k, s, R) {
 }
 
 /**
- * Filter a whole series: z (T m), NaN where a measurement is missing; u (T l) or null. options: adaptR(k, y,
+ * Filter a whole series: z (T m), NaN where a sensor is silent; u (T l) or null. options: adaptR(k, y,
  * HPH, R, out), see `adapted`; into: a result to be filled again, if it has the right size. Once the gain of
  * a constant model has stopped changing, only x is computed.
  */
@@ -146,6 +179,7 @@ export function kalmanFilter(model, z, u = null, options = {}) {
   const { adaptR, into } = options;
   const T = z.length / m;
   const result = fits(into, model, T) ? into : emptyResult(model, T);
+  result.Q = model.Q;
   const isConstant = model.linear && !hasNoiseOfSteps(model) && !adaptR;
   const s = room(model);
   const x = Float64Array.from(model.x0);
@@ -155,17 +189,12 @@ export function kalmanFilter(model, z, u = null, options = {}) {
     let R = noiseAt(model, k);
     const z_k = row(z, k, m);
     const u_k = u ? row(u, k, l) : null;
-    if (z_k.some(Number.isNaN)) {
-      predict(model, x, P, u_k, s);
-      missed(model, z_k, R, s);
-      settled = false;
-    } else if (settled) {
+    const isWhole = !z_k.some(Number.isNaN);
+    if (settled && isWhole) {
       settledStep(model, x, u_k, z_k, s);
     } else {
-      predict(model, x, P, u_k, s);
-      R = adaptR ? adapted(adaptR, k, model, z_k, R, s) : R;
-      update(model, z_k, R, s);
-      settled = isConstant && same(s.P, P);
+      R = step(model, k, { x, P, u: u_k, z: z_k, R, adaptR }, s);
+      settled = isConstant && isWhole && same(s.P, P);
     }
     x.set(s.x);
     P.set(s.P);
@@ -174,14 +203,21 @@ export function kalmanFilter(model, z, u = null, options = {}) {
   return result;
 }
 
+/** Predict, then update with what was heard; the R that was used. */
+function step(model, k, { x, P, u, z, R, adaptR }, s) {
+  predict(model, x, P, u, s);
+  if (z.every(Number.isNaN)) {
+    missed(model, z, R, s);
+    return R;
+  }
+  const R_used = adaptR ? adapted(adaptR, k, model, z, R, s) : R;
+  update(model, z, R_used, s);
+  return R_used;
+}
+
 /** Can T steps of the model be stored in this result? */
 function fits(into, model, T) {
   return into && into.T === T && into.n === model.n && into.m === model.m;
-}
-
-/** What belongs to step k of an array that holds `size` numbers for every step. */
-function row(array, k, size) {
-  return array.subarray(k * size, (k + 1) * size);
 }
 
 /** Has P stopped changing, up to rounding? */
@@ -192,61 +228,4 @@ function same(P, before) {
     }
   }
   return true;
-}
-
-/** Run back over a result, so that every estimate knows the later measurements: {x (T n), P (T n n), G}. */
-export function rtsSmooth(result) {
-  const { T, n } = result;
-  const nn = n * n;
-  const x = Float64Array.from(result.x);
-  const P = Float64Array.from(result.P);
-  const G = new Float64Array(Math.max(T - 1, 0) * nn);
-  const step = {
-    A: new Float64Array(nn),
-    B: new Float64Array(nn),
-    C: new Float64Array(nn),
-    e: new Float64Array(n),
-  };
-  for (let k = T - 2; k >= 0; k--) {
-    const G_k = row(G, k, nn);
-    smootherGain(result, k, n, step, G_k);
-    smoothState(result, x, k, n, step, G_k);
-    smoothCovariance(result, P, k, n, step, G_k);
-  }
-  return { x, P, G };
-}
-
-/** G = P F' P_pred^-1 of step k, with F and P_pred of the step after it. */
-function smootherGain(result, k, n, { A, B }, G_k) {
-  const nn = n * n;
-  A.set(row(result.P_pred, k + 1, nn));
-  multiply(row(result.F, k + 1, nn), row(result.P, k, nn), n, n, n, B);
-  if (!solve(A, B, n, n)) {
-    B.fill(0); // a state known exactly
-  }
-  transpose(B, n, n, G_k);
-}
-
-/** x += G (x of the step after it, smoothed - its x_pred). */
-function smoothState(result, x, k, n, { e, C }, G_k) {
-  for (let i = 0; i < n; i++) {
-    e[i] = x[(k + 1) * n + i] - result.x_pred[(k + 1) * n + i];
-  }
-  multiply(G_k, e, n, n, 1, C);
-  for (let i = 0; i < n; i++) {
-    x[k * n + i] += C[i];
-  }
-}
-
-/** P += G (P of the step after it, smoothed - its P_pred) G'. */
-function smoothCovariance(result, P, k, n, { A, B, C }, G_k) {
-  const nn = n * n;
-  for (let i = 0; i < nn; i++) {
-    A[i] = P[(k + 1) * nn + i] - result.P_pred[(k + 1) * nn + i];
-  }
-  multiply(G_k, A, n, n, n, B);
-  multiplyTransposed(B, G_k, n, n, n, C);
-  const P_k = row(P, k, nn);
-  addTo(P_k, C);
-  symmetric(P_k, n);
 }

@@ -159,3 +159,8 @@ export function cholesky(P, n) {
   }
   return L;
 }
+
+/** What belongs to step k of an array that holds `size` numbers for every step. */
+export function row(array, k, size) {
+  return array.subarray(k * size, (k + 1) * size);
+}

@@ -1,6 +1,6 @@
 // What the explorer of chapter 4 shows: the fit of AR(2), its poles, and the filter with the fitted model.
-import { rtsSmooth } from "../../numerics/filters.js";
 import { mean, nis, rmse } from "../../numerics/metrics.js";
+import { rtsSmooth } from "../../numerics/smoother.js";
 import { bias, drawBias, LEAST, noiseAt } from "./bias.js";
 import { SPEED_UNITS, TIME_UNITS, expected_fit, poles, run } from "./model.js";
 import { question } from "./questions.js";
