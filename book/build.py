@@ -42,11 +42,12 @@ try:
     from filelock import FileLock
     from jupyter_cache import get_cache
     from jupyter_cache.base import CacheBundleIn
-    from jupyter_cache.executors.utils import single_nb_execution
+    from nbclient.exceptions import CellExecutionError
     import cover
     import explorers
     import languages
     import offline
+    import running
 except ImportError as error:
     sys.exit(f"The Python package {error.name!r} is missing: install it with\n    pip install -r requirements.lock\n"
              "    pip install --no-deps --no-build-isolation -e .")
@@ -59,7 +60,7 @@ def fingerprint(*paths):
         files = sorted(path.rglob("*")) if path.is_dir() else [path]
         for file in files:
             relative = file.relative_to(ROOT)
-            if file.is_file() and not {"node_modules", "vendor", "__pycache__", ".ipynb_checkpoints"} & set(relative.parts) \
+            if file.is_file() and not {"node_modules", "vendor", "__pycache__", ".ipynb_checkpoints", "bundle"} & set(relative.parts) \
                     and file.suffix != ".mo":
                 digest.update(relative.as_posix().encode() + b"\0" + file.read_bytes())
     return digest.hexdigest()
@@ -109,8 +110,12 @@ def code_of(path):
 def execute(path):
     """Run one notebook -> (the notebook with its outputs, seconds, None), or (None, 0, what went wrong)."""
     notebook = code_of(path)
-    result = single_nb_execution(notebook, cwd=str(path.parent), timeout=300, allow_errors=False)
-    return (notebook, result.time, None) if result.err is None else (None, 0, result.exc_string)
+    started = time.monotonic()
+    try:
+        running.run(notebook, path.parent)
+    except CellExecutionError as error:
+        return None, 0, str(error)
+    return notebook, time.monotonic() - started, None
 
 
 def execute_notebooks():
@@ -215,6 +220,7 @@ def assemble(outputs, version):
 def main():
     started = time.monotonic()
     offline.install()
+    explorers.for_notebooks()           # which the notebooks show while they run, and the readers' archive holds
     code = fingerprint(ROOT / "kalman_lib", ROOT / "notebooks" / "data", ROOT / "requirements.lock")
     everything = code + fingerprint(ROOT / "book", ROOT / "notebooks", ROOT / "_config.yml", ROOT / "_toc.yml")
     code_mark, site_mark, frame_mark = CACHE / "made-with", BUILD / "built-from", BUILD / "built-around"

@@ -1,6 +1,7 @@
-"""The explorers of the book inside a notebook: explore("gyro") shows the very element of the page. Alone imports anywidget.
+"""The explorers of the book inside a notebook: explore("gyro") shows the element of the page.
 
-The element computes and draws by itself, without the kernel; the settings are known on both sides:
+Alone imports anywidget. The element computes and draws by itself, without the kernel; the settings
+are known on both sides:
 
     e = explore("gyro", gyro.Params(sigma_w=5))
     e.params            # a gyro.Params with what the reader has chosen by now
@@ -35,7 +36,10 @@ _shown = {}  # cell -> (number of its run, the explorers that it showed then)
 
 
 def explore(paper, p=None, view=None):
-    """Show the explorer of a paper ("gyro") and return it. p: a Params of that paper, or None; view: one of its views."""
+    """Show the explorer of a paper ("gyro") and return it.
+
+    p: a Params of that paper, or None; view: the name of one of its views, None: the first one.
+    """
     explorer = Explorer(paper, p, view)
     if get_ipython() is not None:
         _forget_the_last_run(explorer)
@@ -44,7 +48,10 @@ def explore(paper, p=None, view=None):
 
 
 class Explorer(anywidget.AnyWidget):
-    """One explorer: .params is a Params of the paper, .state every setting; both follow the reader, and can be set."""
+    """One explorer: .params is a Params of the paper, .state every setting.
+
+    Both follow the reader, and both can be set.
+    """
 
     _esm = traitlets.Unicode().tag(sync=True)
     _css = traitlets.Unicode().tag(sync=True)
@@ -80,7 +87,7 @@ class Explorer(anywidget.AnyWidget):
         )
         self.on_msg(self._answer)
 
-    # --- the settings ------------------------------------------------------------------------------------------------
+    # --- the settings -----------------------------------------------------------------------------
 
     @property
     def params(self):
@@ -105,7 +112,7 @@ class Explorer(anywidget.AnyWidget):
 
     @traitlets.validate("state")
     def _complete(self, proposal):
-        """What is left out stays as it is; a name that the explorer does not know, or a value out of range, is refused."""
+        """What is left out stays as it is; an unknown name or a value out of range is refused."""
         given = {name: _plain(value) for name, value in proposal["value"].items()}
         known = self.start | self.state
         if unknown := sorted(set(given) - set(known)):
@@ -117,10 +124,10 @@ class Explorer(anywidget.AnyWidget):
         check(self._params_in(state))
         return state
 
-    # --- shown in a notebook -----------------------------------------------------------------------------------------
+    # --- shown in a notebook ----------------------------------------------------------------------
 
     def show(self):
-        """Live where there is a kernel; elsewhere, as in the printed page, a picture inside the element of the book."""
+        """Live where there is a kernel; elsewhere a picture inside the element of the book."""
         self.shown_in = _run()
         data, metadata = self._bundle()
         display(data, metadata=metadata, raw=True)
@@ -146,7 +153,7 @@ class Explorer(anywidget.AnyWidget):
         self.send({**message, "number": question["number"]}, contents)
 
 
-# --- what was made from book/explorers -----------------------------------------------------------------------------------
+# --- what was made from book/explorers ------------------------------------------------------------
 
 
 @functools.cache
@@ -180,11 +187,11 @@ def _plain(value):
     return None if isinstance(value, float) and math.isnan(value) else value
 
 
-# --- the notebook around -------------------------------------------------------------------------------------------------
+# --- the notebook around --------------------------------------------------------------------------
 
 
 def language_of_notebook():
-    """ "id" or "en" where the texts of the notebook are in one language alone; "" where they are in both, or unknown."""
+    """The language of its texts, where they are in one alone; "" where in both, or unknown."""
     shell = get_ipython()
     opened = shell.user_ns.get("__vsc_ipynb_file__") if shell else None  # in VS Code
     path = Path(opened or os.environ.get("JPY_SESSION_NAME", ""))  # in JupyterLab and Notebook
@@ -205,7 +212,7 @@ def _run():
 
 
 def _forget_the_last_run(explorer):
-    """The explorers that the same cell showed before are gone from the screen: close them, so that none piles up."""
+    """What the same cell showed before is gone from the screen: close it, so that none piles up."""
     cell, number = _run()
     if cell is None:
         return

@@ -4,6 +4,7 @@ Every function returns a Figure that shows itself as the last value of a cell, w
 serves both languages. Where a dict is asked for, its keys are the labels; heights are in inches.
 """
 import io
+import sys
 from contextlib import contextmanager
 
 import numpy as np
@@ -13,8 +14,8 @@ from matplotlib.figure import Figure as MatplotlibFigure
 from PIL import Image
 
 from .papers import quadrotor
-from .sketch import DARK, GREY, GRID, PAPER, Sketch
 
+GREY, DARK, GRID, PAPER = "#6b7278", "#3a4147", "#e3dfd6", "#fdfcf9"
 TRUTH = dict(color="#222222", linewidth=1.0)
 MEASUREMENT = dict(color="#c8641b", marker="o", markersize=3.2, linestyle="none")
 ESTIMATE = dict(color="#1f6fb4", linewidth=1.8)
@@ -51,28 +52,18 @@ class Figure(MatplotlibFigure):
         return buffer.getvalue()
 
 
-_quick = False          # are figures drawn as quick sketches?
+def _print_ours_ourselves():
+    """In a notebook pyplot, and with it `interact`, prints every figure of matplotlib its own way; ours print themselves."""
+    ipython = sys.modules.get("IPython")
+    shell = ipython.get_ipython() if ipython else None
+    if shell is not None:
+        shell.display_formatter.formatters["image/png"].for_type(Figure, Figure._repr_png_)
 
 
-@contextmanager
-def live():
-    """Inside this block every function below that has one pair of axes, none of them logarithmic, returns a Sketch."""
-    global _quick
-    before, _quick = _quick, True
-    try:
-        yield
-    finally:
-        _quick = before
-
-
+_print_ours_ourselves()
 @contextmanager
 def _figure(height, rows=1, columns=1, sharex=False, **names):
     """A figure in the book's style and its axes, which get names and a legend at the end of the block."""
-    if _quick and names.get("xscale") != "log":
-        sketch = Sketch(height)
-        yield sketch, sketch.axes[0]
-        sketch.axes[0].set(**names)
-        return
     with style.context(STYLE):
         figure = Figure(figsize=(4.8, height))
         FigureCanvasAgg(figure)

@@ -1,4 +1,5 @@
 """What several test files share: outside programs, the built site, a real browser."""
+import contextlib
 import functools
 import http.server
 import os
@@ -33,9 +34,9 @@ def need_program(*names, install):
     pytest.skip(message)
 
 
-@pytest.fixture(scope="session")
-def chromium():
-    """Debian's Chromium under Playwright; a test opens contexts of its own (chromium.new_context)."""
+@contextlib.contextmanager
+def browser():
+    """Debian's Chromium under Playwright."""
     from playwright.sync_api import sync_playwright
     path = need_program("chromium", "chromium-browser", "google-chrome", install="apt-get install chromium")
     with tempfile.TemporaryDirectory() as profile, sync_playwright() as playwright:
@@ -45,6 +46,13 @@ def chromium():
             f"--disable-features={','.join(LEFT_OUT)}"])
         yield browser
         browser.close()
+
+
+@pytest.fixture(scope="session")
+def chromium():
+    """Debian's Chromium under Playwright; a test opens contexts of its own (chromium.new_context)."""
+    with browser() as started:
+        yield started
 
 
 @pytest.fixture(scope="session")

@@ -1,4 +1,4 @@
-"""A real JupyterLab of the tests' own: it touches nothing of the user's and reaches nothing outside."""
+"""A JupyterLab of the tests' own: it touches nothing of the user's and reaches nothing outside."""
 
 import contextlib
 import json
@@ -11,6 +11,35 @@ import urllib.request
 
 from conftest import ROOT
 
+WATCH = """
+  // what the module of the explorer (a blob) has opened in the page and not closed again
+  window.opened = new Set();
+  const isOurs = () => /blob:/.test(new Error().stack);
+  for (const name of ['MutationObserver', 'ResizeObserver', 'IntersectionObserver']) {
+    window[name] = class extends window[name] {
+      observe(...given) { if (isOurs()) opened.add(this); super.observe(...given); }
+      disconnect() { opened.delete(this); super.disconnect(); }
+    };
+  }
+  const { addEventListener: add, removeEventListener: remove } = EventTarget.prototype;
+  EventTarget.prototype.addEventListener = function (type, call, options) {
+    if ((this === window || this === document) && isOurs()) {
+      opened.add(call);
+      options?.signal?.addEventListener('abort', () => opened.delete(call));
+    }
+    return add.call(this, type, call, options);
+  };
+  EventTarget.prototype.removeEventListener = function (type, call, options) {
+    opened.delete(call);
+    return remove.call(this, type, call, options);
+  };"""
+SAME_PICTURE = """canvas => {
+    const copy = Object.assign(document.createElement('canvas'), { width: canvas.width,
+      height: canvas.height }).getContext('2d');
+    copy.drawImage(canvas, 0, 0);
+    return copy.getImageData(0, 0, canvas.width, canvas.height).data.reduce((sum, value, i) =>
+      (sum * 31 + value * (i & 3)) | 0, 7);
+  }"""
 PATIENCE = 60_000  # ms; every wait ends as soon as its condition holds
 TOKEN = "book"
 KERNEL = {"name": "python3", "display_name": "Python 3", "language": "python"}
@@ -121,3 +150,55 @@ def printed(page, number, code):
     """What a cell prints when it runs this code; it must print something."""
     cell = write_cell(page, number, code)
     return cell.locator(".jp-OutputArea-output").last.inner_text().strip()
+
+
+@contextlib.contextmanager
+def window(chromium, lab, **options):
+    """A window of the browser in which no request leaves the machine."""
+    context = chromium.new_context(viewport={"width": 1200, "height": 2400}, **options)
+    context.add_init_script(WATCH)
+    outside = []
+
+    def guard(route):
+        if route.request.url.startswith((lab, "data:", "blob:")):
+            route.continue_()
+        else:
+            outside.append(route.request.url)
+            route.abort()
+
+    context.route("**/*", guard)
+    yield context
+    context.close()
+    assert outside == []
+
+
+def element_in(page, number):
+    """The explorer below a cell, alive and in sight."""
+    element = page.locator(".jp-CodeCell").nth(number).locator("kalman-explorer.live")
+    element.wait_for()
+    element.scroll_into_view_if_needed()
+    page.wait_for_function("e => e.explorer.r !== undefined", arg=element.element_handle())
+    return element
+
+
+def wait_until(element, condition, *values):
+    """Until the condition on the explorer e holds."""
+    element.page.wait_for_function(
+        f"([element, ...values]) => {{ const e = element.explorer; return {condition}; }}",
+        arg=[element.element_handle(), *values],
+    )
+
+
+def in_python(page, number, expression):
+    """The value of an expression in the kernel, computed by a cell that is there for it."""
+    code = f"import json\nprint(json.dumps({expression}))"
+    return json.loads(printed(page, number, code))
+
+
+def told(page, number, expression, value):
+    """Wait until the expression has this value in Python, which hears of a move soon after it."""
+    for _ in range(20):
+        found = in_python(page, number, expression)
+        if found == value:
+            return
+    assert found == value

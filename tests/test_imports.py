@@ -29,10 +29,7 @@ ALLOWED = {     # file -> what of our own it may import, and which packages; the
     "__init__.py": ({"models", "metrics", "simulate", "filters", "fast", "tuning", "montecarlo"}, set()),
     "spreadsheet.py": (set(), NUMERICS | {"openpyxl"}),
     "recording.py": ({"spreadsheet"}, NUMERICS),
-    "sketch.py": (set(), NUMERICS),
-    "plots.py": ({"metrics", "models", "papers", "sketch"}, NUMERICS | {"matplotlib", "PIL"}),
-    "widgets.py": ({"models", "metrics", "simulate", "filters", "fast", "papers", "plots", "spreadsheet", "recording"},
-                   NUMERICS | {"ipywidgets", "IPython"}),
+    "plots.py": ({"metrics", "models", "papers"}, NUMERICS | {"matplotlib", "PIL"}),
     "explorer.py": ({"live", "papers"}, NUMERICS | {"anywidget", "traitlets", "IPython"}),
 }
 PAPER = ({"checks", "models", "simulate", "numeric", "tuning", "papers"}, NUMERICS)    # "papers": the package alone

@@ -82,7 +82,10 @@ def bundle(target, language, sources=SOURCES, host="page"):
 
 def for_notebooks(target=FOR_NOTEBOOKS):
     """Write the module, the style sheet and the starting values that kalman_lib.explorer shows in a notebook."""
-    return bundle(target, None, host="cell")
+    try:
+        return bundle(target, None, host="cell")
+    except Mistake as mistake:
+        sys.exit(str(mistake))
 
 
 def check():

@@ -1,1 +1,1 @@
-"""What explorer.py needs beside its widget: still pictures, what the kernel reads and writes for the reader, the bundle."""
+"""What explorer.py needs beside its widget: still pictures, the reader's files, the bundle."""

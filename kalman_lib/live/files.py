@@ -1,4 +1,4 @@
-"""What the kernel does for an explorer: it reads workbooks and recordings, and writes the workbook with chart and notes.
+"""What the kernel does for an explorer: it reads workbooks and recordings, and writes workbooks.
 
 Twin of book/explorers/jupyter/kernel.js, which asks. Arrays travel as buffers of float64.
 """
@@ -19,12 +19,16 @@ DECIMAL = {
 XLSX = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"
 NO_REST = InputError(
     "This recording does not begin at rest. Let the phone lie still for a few seconds, then start.",
-    "Rekaman ini tidak diawali keadaan diam. Letakkan ponsel diam selama beberapa detik, lalu mulai.",
+    "Rekaman ini tidak diawali keadaan diam. "
+    "Letakkan ponsel diam selama beberapa detik, lalu mulai.",
 )
 
 
 def answer(question, buffers):
-    """The answer to a question of the explorer: (message, buffers). A mistake of the reader's is {"error": {id, en}}."""
+    """The answer to a question of the explorer: (message, buffers).
+
+    A mistake of the reader's is the message {"error": {id, en}}.
+    """
     contents = [bytes(buffer) for buffer in buffers]
     try:
         if question.get("write") == "workbook":
@@ -52,7 +56,7 @@ def table(files, decimal):
 
 
 def recording(files):
-    """The sensors of a phone's recording; the device's own angles, where it has some, stand for the truth."""
+    """The sensors of a phone's recording; the device's own angles, if any, stand for the truth."""
     found = read_recording(files)
     rest_s = rest_seconds(found)
     if not rest_s:
@@ -71,7 +75,7 @@ def recording(files):
 
 
 def written(question, contents):
-    """The workbook with live formulas, chart and notes: the measurements z as they are shown, and their settings."""
+    """The workbook with live formulas, chart and notes, for the measurements and their settings."""
     z = np.frombuffer(contents[question["arrays"].index("z")])
     book = io.BytesIO()
     settings = {name: question[name] for name in ("Q", "R", "x0", "P0")}

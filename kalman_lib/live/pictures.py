@@ -1,4 +1,4 @@
-"""The still picture of every explorer: what the printed page, the stored notebook and a page without a script show."""
+"""The still picture of every explorer: for paper, the stored notebook, a page without a script."""
 
 from dataclasses import replace
 
@@ -55,7 +55,7 @@ def gyro_flight(p, rng):
 
 
 def gyro_mismatch(p, rng):
-    """RMSE of every pair of sigmas that the filter may believe, divided by that of the true ones."""
+    """RMSE of every pair of sigmas that the filter may believe, over that of the true ones."""
     times = 10**BELIEVED
     table, _ = gyro.expected(p, times * p.sigma_w, times[:, np.newaxis] * p.sigma_v)
     truth = np.log10([p.sigma_w, p.sigma_v])

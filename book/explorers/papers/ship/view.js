@@ -199,11 +199,11 @@ const controls = [
       what: "table",
     },
   },
-  columnChoice("time"),
-  columnChoice("speed"),
   select("time_unit", "s", time_units),
   select("speed_unit", "m/s", speed_units),
   select("sign", "auto", signs),
+  columnChoice("time"),
+  columnChoice("speed"),
   { kind: "buttons", items: [back], visible: isOwn },
 ];
 
