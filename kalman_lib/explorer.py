@@ -134,14 +134,19 @@ class Explorer(anywidget.AnyWidget):
 
     def _bundle(self):
         data, metadata = super()._repr_mimebundle_()
-        image = base64.b64encode(picture(self.paper, self.view, self.params).png(dpi=150)).decode()
         view = "" if self.is_first else f' view="{self.view}"'
         data["text/plain"] = f"[{self.paper}]"
         data["text/html"] = (
-            f'<kalman-explorer paper="{self.paper}"{view}><img alt="" '
-            f'src="data:image/png;base64,{image}"></kalman-explorer>'
+            f'<kalman-explorer paper="{self.paper}"{view}>{self._image()}</kalman-explorer>'
         )
         return data, metadata
+
+    def _image(self):
+        figure = picture(self.paper, self.view, self.params)
+        if figure is None:
+            return ""
+        content = base64.b64encode(figure.png(dpi=150)).decode()
+        return f'<img alt="" src="data:image/png;base64,{content}">'
 
     def _ipython_display_(self):
         """As the last value of a cell: once more, but not in the run that has just shown it."""

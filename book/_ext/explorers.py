@@ -104,6 +104,8 @@ def bundle_for(app, config):
     folder = Path(app.doctreedir).parent / "explorers"
     try:
         app.explorer_views = bundle(folder / FOLDER, config.language)
+        if not FOR_NOTEBOOKS.exists():      # the notebooks run before long; book/build.py has made it already
+            bundle(FOR_NOTEBOOKS, None, host="cell")
     except Mistake as mistake:
         raise ExtensionError(str(mistake)) from mistake
     config.html_static_path.append(str(folder))
