@@ -1,5 +1,6 @@
 // The first explorer of chapter 2: the paper's form, with data of the reader's own.
 import { InputError } from "../../language/input.js";
+import { inBoth } from "../../language/speaker.js";
 import { rmse } from "../../numerics/metrics.js";
 import { PAPER, isOwn, load, settingsFor } from "./data.js";
 import { LOOK_ALIKES, R_from_steady, equal_window, exponential, lag, maximum_likelihood } from "./model.js";
@@ -19,6 +20,7 @@ import { buttons } from "./take.js";
 import { CONTROLS, FACTS, MEASUREMENTS, NAMES, OUTCOME, SOURCES, STRETCH } from "./words.js";
 
 const LIKELIHOOD_POINTS = 5000; // so many values tell Q and R well enough
+const LONGEST_QUOTE = 40; // letters of what was typed in a message
 const LEAST_VARIANCE = 1e-12; // the range of Params
 const LARGEST_VARIANCE = 1e6;
 
@@ -122,7 +124,7 @@ function asSetting(variance) {
 function stretchOf(text, s, r) {
   const found = /^\s*(\d+)\s*[-–—\u2212\s]\s*(\d+)\s*$/.exec(text);
   if (!found) {
-    throw new InputError(STRETCH.unclear);
+    throw new InputError(inBoth(STRETCH.unclear, { text: text.trim().slice(0, LONGEST_QUOTE) }));
   }
   const stretch = [Number(found[1]), Number(found[2])];
   const values = r.z.subarray(stretch[0] - 1, stretch[1]);
@@ -181,6 +183,13 @@ const controls = [
   },
   { kind: "select", name: "sign", default: "auto", ...CONTROLS.sign, visible: isOwn, options: signs },
   columnChoice,
+  {
+    kind: "entry",
+    ...CONTROLS.stretch,
+    inputMode: "text",
+    button: CONTROLS.take_R,
+    enter: stretchOf,
+  },
   { name: "Q", symbol: "Q" },
   { name: "R", symbol: "R" },
   { name: "P0", symbol: "P_0" },
@@ -189,13 +198,6 @@ const controls = [
   { kind: "check", name: "exponential", default: false, ...CONTROLS.exponential },
   { kind: "check", name: "rts", default: false, ...CONTROLS.rts },
   { kind: "buttons", visible: (s) => s.source in LOOK_ALIKES, items: [newNoise] },
-  {
-    kind: "entry",
-    ...CONTROLS.stretch,
-    inputMode: "text",
-    button: CONTROLS.take_R,
-    enter: stretchOf,
-  },
   { kind: "buttons", items: [{ ...CONTROLS.likely, set: mostLikely }, ...buttons] },
 ];
 

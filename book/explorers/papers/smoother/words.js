@@ -67,8 +67,8 @@ export const FACTS = {
 
 export const STRETCH = {
   unclear: {
-    id: "Tuliskan nomor pertama dan terakhir rentang itu, misalnya 5-16.",
-    en: "Type the first and the last number of the stretch, such as 5-16.",
+    id: "“{text}” bukan rentang: tuliskan nomor pertama dan terakhirnya, misalnya 5-16.",
+    en: "“{text}” is no stretch: type its first and its last number, such as 5-16.",
   },
   too_short: {
     id: "Rentang itu berisi kurang dari dua nilai.",
