@@ -13,6 +13,8 @@ def numbers(name, value, dimensions=0):
     ValueError: text, dates, complex numbers, ragged rows.
     """
     mask = None
+    if isinstance(value, (list, tuple)) and any(np.ma.isMaskedArray(row) and row.ndim for row in value):
+        value = [numbers(name, row) for row in value]
     if np.ma.isMaskedArray(value):
         mask = np.ma.getmaskarray(value)
         value = value.data
@@ -39,7 +41,7 @@ _KINDS = {"U": _TEXT, "S": _TEXT, "T": _TEXT, "M": _DATES, "m": _DATES, "c": _CO
 
 def _number(name, entry):
     """One entry of a mixed array as a float."""
-    if entry is None or type(entry).__name__ == "NAType":       # pandas.NA
+    if entry is None or entry is np.ma.masked or type(entry).__name__ == "NAType":       # pandas.NA
         return np.nan
     if isinstance(entry, (str, bytes)):
         _refuse(name, _TEXT)
@@ -49,6 +51,9 @@ def _number(name, entry):
         _refuse(name, _COMPLEX)
     try:
         return float(entry)
+    except OverflowError:
+        raise ValueError(f"{name} holds a number that is too large. / "
+                         f"{name} memuat bilangan yang terlalu besar.") from None
     except (TypeError, ValueError):
         kind = type(entry).__name__
         raise ValueError(f"{name} must hold numbers only; it holds an object of type {kind}. / "
@@ -106,9 +111,10 @@ def series(name, values, width=None, steps=None, runs=False):
 
 def shaped_series(name, values, width=None, steps=None, runs=False):
     """`series` without a look at the numbers."""
-    if width and isinstance(values, (list, tuple)) and any(row is None for row in values):
-        if any(np.ndim(row) for row in values if row is not None):
-            values = [[np.nan] * width if row is None else row for row in values]
+    if isinstance(values, (list, tuple)) and any(row is None for row in values):
+        rows = [row for row in values if np.ndim(row)]
+        if rows:
+            values = [[np.nan] * len(rows[0]) if row is None else row for row in values]
     array = numbers(name, values)
     if array.ndim == 1 and width in (1, None):
         array = array[:, np.newaxis]
@@ -124,8 +130,9 @@ def shaped_series(name, values, width=None, steps=None, runs=False):
 
 def check_series(name, array):
     """The array itself; ValueError if a number is infinite, or NaN in u."""
-    if np.isfinite(np.add.reduce(array, axis=None)):            # one look at each number
-        return array
+    with np.errstate(over="ignore", invalid="ignore"):
+        if np.isfinite(np.add.reduce(array, axis=None)):        # one look at each number
+            return array
     wrong = np.isinf(array) if name == "z" else ~np.isfinite(array)
     if wrong.any():
         k = int(np.argwhere(wrong)[0, 0])
@@ -136,11 +143,13 @@ def check_series(name, array):
 
 # --- covariances -----------------------------------------------------------------------------------------------------
 
-def check_covariance(name, P, definite=False):
+def check_covariance(name, P, definite=False, id=None):
     """ValueError unless P (n, n) is symmetric and positive semi-definite (definite=True: positive definite).
 
     P (T, n, n): every one of them. With definite=True a variance may be infinite, if its covariances are 0.
+    id: the name in the Indonesian half of the sentence, if it is another one.
     """
+    id = id or name
     shape = P.shape[-2:]
     variances = np.diagonal(P, axis1=-2, axis2=-1)
     if definite:
@@ -151,15 +160,16 @@ def check_covariance(name, P, definite=False):
     C = P / scale[..., :, np.newaxis] / scale[..., np.newaxis, :]       # correlations: mixed units do no harm
     if np.abs(C - C.swapaxes(-1, -2)).max(initial=0) > 1e-9:
         raise ValueError(f"{name}, shape {shape}, is not symmetric; expected a symmetric {shape} covariance. / "
-                         f"{name}, ukuran {shape}, tidak simetris; seharusnya kovarians simetris {shape}.")
+                         f"{id}, ukuran {shape}, tidak simetris; seharusnya kovarians simetris {shape}.")
     smallest = np.linalg.eigvalsh(C)[..., 0]
-    if definite and not (smallest > 0).all():
-        raise ValueError(f"{name}, shape {shape}, is not positive definite (every variance in it must be > 0); "
-                         f"expected a positive definite {shape} matrix. / {name}, ukuran {shape}, tidak definit "
-                         f"positif (setiap varians harus > 0); seharusnya matriks {shape} definit positif.")
+    if definite and not (smallest > 8 * shape[0] * np.finfo(float).eps).all():
+        raise ValueError(f"{name}, shape {shape}, is not positive definite (every variance in it must be > 0, and none "
+                         f"may follow from others); expected a positive definite {shape} matrix. / {id}, ukuran "
+                         f"{shape}, tidak definit positif (setiap varians harus > 0, dan tidak boleh ditentukan oleh "
+                         f"yang lain); seharusnya matriks {shape} definit positif.")
     if (smallest < -1e-9 * shape[0]).any():
         raise ValueError(f"{name}, shape {shape}, is not positive semi-definite (no variance may be negative); "
-                         f"expected a covariance of shape {shape}. / {name}, ukuran {shape}, tidak semidefinit "
+                         f"expected a covariance of shape {shape}. / {id}, ukuran {shape}, tidak semidefinit "
                          f"positif (varians tidak boleh negatif); seharusnya kovarians berukuran {shape}.")
 
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .checks import check_covariance, numbers, series, shape_message
+from .checks import check_covariance, check_finite, numbers, series, shape_message
 from .models import LinearModel, at, steps_of
 from .roots import Covariance, add_up, gain, innovation_covariance, one_after_another, root_of, rotated
 
@@ -69,6 +69,10 @@ class FilterResult:
     def __post_init__(self):
         _read_only(self)
 
+    def __setstate__(self, state):              # copied or unpickled
+        self.__dict__.update(state)
+        _read_only(self)
+
 
 @dataclass(frozen=True, eq=False)
 class SmootherResult:
@@ -77,6 +81,10 @@ class SmootherResult:
     P: np.ndarray
 
     def __post_init__(self):
+        _read_only(self)
+
+    def __setstate__(self, state):              # copied or unpickled
+        self.__dict__.update(state)
         _read_only(self)
 
 
@@ -95,6 +103,7 @@ def predict(model, x, P, u=None, k=0):
 
     k is the number of the step, where the model's matrices change from step to step.
     """
+    x, P = _by_hand("x", x, "P", P, len(model.x0))
     x_pred, F = model.transition(x, u, k)
     P_pred = add_up(F @ root_of(P), root_of(at(model.Q, k)))        # F P F' + Q
     return Prediction(x_pred, P_pred, F)
@@ -109,15 +118,16 @@ def update(model, x_pred, P_pred, z, R=None, u=None, k=0):
 
     ValueError: z is not (m,) or infinite.
     """
+    x_pred, P_pred = _by_hand("x_pred", x_pred, "P_pred", P_pred, len(model.x0))
     z_pred, H = model.measure(x_pred, u, k)
-    R = at(model.R, k) if R is None else R
+    R = at(model.R, k) if R is None else _noise_by_hand("R", "R", R, at(model.R, k).shape)
     z = numbers("z", z)
     if z.shape != z_pred.shape:
         raise ValueError(shape_message("z", z.shape, z_pred.shape))
     if np.isinf(z).any():
         raise ValueError(f"z is {z}; expected finite numbers, or NaN where a sensor is silent. / "
                          f"z berisi {z}; seharusnya bilangan berhingga, atau NaN bila sensornya diam.")
-    y = model.residual(z, z_pred)
+    y = _innovation(model, z, z_pred, k)
     S = innovation_covariance(H, P_pred, R)
     return _blend(x_pred, P_pred, y, H, S, R)
 
@@ -151,7 +161,7 @@ def kalman_filter(model, z, u=None, adapt_R=None, gate=None):
     Returns a FilterResult. ValueError: z or u of the wrong shape or not finite; matrices for another number of steps
     than z has; a nonlinear model whose numbers are no longer finite (the message names the step).
     """
-    z, u = _data(model, z, u)
+    z, u = _data(model, z, u, adapt_R)
     limit = _gate_limit(gate)
     if z.ndim == 3:
         from .many import filter_runs           # here, for it stands on this file
@@ -162,7 +172,7 @@ def kalman_filter(model, z, u=None, adapt_R=None, gate=None):
         u_k = None if u is None else u[k]
         x_pred, P_pred, F = predict(model, x, P, u_k, k)
         z_pred, H = model.measure(x_pred, u_k, k)
-        y = model.residual(z[k], z_pred)
+        y = _innovation(model, z[k], z_pred, k)
         R = at(model.R, k)
         if adapt_R is not None and np.isfinite(z[k]).any():
             R = _adapted(adapt_R, k, y, H, P_pred, R)
@@ -223,8 +233,51 @@ def _roots_again(result):
 
 # --- checks ----------------------------------------------------------------------------------------------------------
 
-def _data(model, z, u):
+def _innovation(model, z, z_pred, k):
+    """residual(z, z_pred) (m,), NaN where z is; ValueError where it is not finite, or has another shape."""
+    y = numbers("residual(z, z_pred)", model.residual(z, z_pred))
+    if y.shape != z_pred.shape:
+        raise ValueError(shape_message("residual(z, z_pred)", y.shape, z_pred.shape))
+    silent = np.isnan(z)
+    if not np.isfinite(y[~silent]).all() and np.isfinite(z_pred).all():
+        i = int(np.argmax(~silent & ~np.isfinite(y)))
+        raise ValueError(f"residual(z, z_pred)[{i}] is {y[i]} at step {k} (counted from 0); expected a finite number. "
+                         f"/ residual(z, z_pred)[{i}] bernilai {y[i]} pada langkah {k} (dihitung dari 0); seharusnya "
+                         f"bilangan berhingga.")
+    y[silent] = np.nan
+    return y
+
+
+def _by_hand(name_x, x, name_P, P, n):
+    """x (n,) and P (n, n) as the filter left them, or as somebody wrote them down: then they are checked."""
+    if isinstance(P, Covariance):
+        return x, P
+    x = check_finite(name_x, numbers(name_x, x))
+    P = check_finite(name_P, numbers(name_P, P))
+    if x.shape != (n,):
+        raise ValueError(shape_message(name_x, x.shape, (n,)))
+    if P.shape != (n, n):
+        raise ValueError(shape_message(name_P, P.shape, (n, n)))
+    check_covariance(name_P, P)
+    return x, P
+
+
+def _noise_by_hand(name, id, R, shape):
+    """R (m, m) as somebody wrote it down, or adapt_R returned it, checked; id: its name in Indonesian."""
+    R = numbers(name, R)
+    if R.shape != shape:
+        raise ValueError(f"{name} has shape {R.shape}, expected {shape}. / {id} berukuran {R.shape}, seharusnya {shape}.")
+    check_covariance(name, R, definite=True, id=id)
+    return R
+
+
+def _data(model, z, u, adapt_R):
     """z and u as new arrays that fit the model."""
+    if not hasattr(model, "transition"):
+        raise ValueError(f"model must be a LinearModel or a NonlinearModel, not {type(model).__name__}. / "
+                         f"model harus LinearModel atau NonlinearModel, bukan {type(model).__name__}.")
+    if adapt_R is not None and not callable(adapt_R):
+        raise ValueError("adapt_R must be a function (k, y, HPH, R). / adapt_R harus berupa fungsi (k, y, HPH, R).")
     z = series("z", z, width=model.R.shape[-1], runs=True)
     steps_of(model, len(z))
     if u is not None:
@@ -246,18 +299,17 @@ def _gate_limit(gate):
 def _adapted(adapt_R, k, y, H, P_pred, R):
     """The R that adapt_R wants at step k, checked."""
     HPH = innovation_covariance(H, P_pred, np.zeros(R.shape))
-    name = f"R from adapt_R at step {k}"
-    wanted = numbers(name, adapt_R(k, y, HPH, R))
-    if wanted.shape != R.shape:
-        raise ValueError(shape_message(name, wanted.shape, R.shape))
-    check_covariance(name, wanted, definite=True)
-    return wanted
+    wanted = adapt_R(k, y.copy(), HPH, R)
+    return _noise_by_hand(f"R from adapt_R at step {k}", f"R dari adapt_R pada langkah {k}", wanted, R.shape)
 
 
 def _check_step(model, k, x, P):
-    """ValueError as soon as a nonlinear filter has gone astray: the first step whose numbers are not finite."""
-    if isinstance(model, LinearModel) or (np.isfinite(x).all() and np.isfinite(P).all()):
+    """ValueError as soon as a filter has gone astray: the first step whose numbers are not finite."""
+    if np.isfinite(x).all() and np.isfinite(P).all():
         return
-    raise ValueError(f"x or P is no longer finite at step {k} (counted from 0): the filter diverges; look at the "
-                     f"Jacobians F and H (check_jacobians). / x atau P tidak lagi berhingga pada langkah {k} "
-                     f"(dihitung dari 0): filternya divergen; periksalah Jacobian F dan H (check_jacobians).")
+    linear = isinstance(model, LinearModel)
+    look = "F" if linear else "the Jacobians F and H (check_jacobians)"
+    lihat = "F" if linear else "Jacobian F dan H (check_jacobians)"
+    raise ValueError(f"x or P is no longer finite at step {k} (counted from 0): the filter diverges; look at {look}. "
+                     f"/ x atau P tidak lagi berhingga pada langkah {k} (dihitung dari 0): filternya divergen; "
+                     f"periksalah {lihat}.")

@@ -12,10 +12,14 @@ from .models import LinearModel, at, subtract
 
 def filter_runs(model, z, u, adapt_R, gate):
     """z (T, m, N): where all runs hear the same sensors, they share P, S and K, which hold no data."""
-    if not isinstance(model, LinearModel) or model.residual is not subtract or adapt_R or gate:
+    many_runs = getattr(model, "many_runs", False)
+    linear = isinstance(model, LinearModel) and model.residual is subtract
+    if not (linear or many_runs) or adapt_R or gate:
         raise ValueError("z of shape (T, m, N) needs a LinearModel with the usual residual, and neither adapt_R nor "
                          "gate; filter run by run. / z berukuran (T, m, N) memerlukan LinearModel dengan residu "
                          "biasa, tanpa adapt_R dan gate; filterlah satu per satu.")
+    if many_runs:
+        return _stacked([kalman_filter(model, z[:, :, run], u) for run in range(z.shape[2])])
     silent = np.isnan(z)
     if (silent != silent[:, :, :1]).any():
         return _stacked([kalman_filter(model, z[:, :, run], u) for run in range(z.shape[2])])
@@ -34,21 +38,28 @@ def filter_runs(model, z, u, adapt_R, gate):
 
 def smooth_runs(result):
     """rts_smooth of many runs, run by run: x (T, n, N) and P (T, n, n), or (T, n, n, N) where runs do not share it."""
-    shared = result.P.ndim == 3
-    each = []
-    for run in range(result.x.shape[2]):
-        def of_run(name, shape):
-            array = getattr(result, name)
-            return array if array is None or array.ndim <= shape else array[..., run]
-        one = {name: of_run(name, 2) for name in ("x_pred", "x", "y", "gated")}
-        one |= {name: of_run(name, 3) for name in ("P_pred", "P", "S", "K", "F", "R", "H", "Q")}
-        each.append(rts_smooth(FilterResult(**one, start=result.start)))
-    P = each[0].P if shared else np.stack([smooth.P for smooth in each], axis=-1)
-    return SmootherResult(np.stack([smooth.x for smooth in each], axis=-1), P)
+    each = [rts_smooth(run_of(result, run)) for run in range(result.x.shape[2])]
+    x = np.stack([smooth.x for smooth in each], axis=-1)
+    if result.P.ndim == 3:
+        return SmootherResult(x, each[0].P)
+    return SmootherResult(x, np.stack([smooth.P for smooth in each], axis=-1))
+
+
+def run_of(result, run):
+    """The FilterResult of one run of many."""
+    parts = {"start": result.start}
+    for part in fields(FilterResult):
+        array = getattr(result, part.name)
+        if part.name != "start":
+            size = 2 if part.name in ("x_pred", "x", "y", "gated") else 3
+            parts[part.name] = array if array is None or array.ndim <= size else array[..., run]
+    return FilterResult(**parts)
 
 
 def _stacked(results):
     """Runs that differ in everything but the model: their arrays side by side, the runs last."""
-    common = {name: getattr(results[0], name) for name in ("F", "R", "H", "Q", "start")}
+    common = {name: getattr(results[0], name) for name in ("R", "Q", "start")}
+    if all(np.array_equal(r.F, results[0].F) and np.array_equal(r.H, results[0].H) for r in results):
+        common |= {"F": results[0].F, "H": results[0].H}
     names = [field.name for field in fields(FilterResult) if field.name not in common]
     return FilterResult(**common, **{name: np.stack([getattr(r, name) for r in results], axis=-1) for name in names})

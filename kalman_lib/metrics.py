@@ -7,7 +7,9 @@ import re
 
 import numpy as np
 
-from .checks import shape_message
+from .checks import numbers, shape_message
+
+SINGULAR = 1e-13        # an eigenvalue of correlations that is nothing but rounding
 
 
 def rmse(x_true, x):
@@ -32,17 +34,17 @@ def nis(y, S):
     Sensors that are silent at a step (NaN in y) do not count, so that the degrees of freedom vary from step to step:
     `degrees_of_freedom(y)` gives them, and if S is honest they are the mean of the NIS. NaN where all are silent.
     """
-    return _quadratic("S", np.asarray(y, dtype=float), S)
+    return _quadratic("S", numbers("y", y, 1), S)
 
 
 def degrees_of_freedom(y):
     """How many sensors were heard at each step, which is what an honest NIS is on average: (T, m) -> (T,)."""
-    return np.isfinite(np.asarray(y, dtype=float)).sum(axis=1)
+    return np.isfinite(np.atleast_2d(numbers("y", y).T).T).sum(axis=1)
 
 
 def _pair(name_a, a, name_b, b):
     """Both as float arrays; ValueError unless they have the same shape."""
-    a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
+    a, b = numbers(name_a, a), numbers(name_b, b)
     if a.shape != b.shape:
         raise ValueError(f"{name_b} has shape {b.shape}, expected {a.shape} like {name_a}. / "
                          f"{name_b} berukuran {b.shape}, seharusnya {a.shape} seperti {name_a}.")
@@ -51,7 +53,7 @@ def _pair(name_a, a, name_b, b):
 
 def _quadratic(name, e, P):
     """e' P^-1 e for every step (and run), with what is finite in e alone."""
-    P = np.asarray(P, dtype=float)
+    P = numbers(name, P)
     if e.ndim == 1:
         e = e[:, np.newaxis]
     size = (len(e), e.shape[1], e.shape[1])
@@ -89,8 +91,11 @@ def _solved(name, e, P):
     sigma = np.sqrt(np.where(variance > 0, variance, 1))
     scaled = e / sigma
     try:
-        solved = np.linalg.solve(P / sigma / sigma.swapaxes(1, 2), scaled)
-        if (variance == 0).any():
+        correlation = P / sigma / sigma.swapaxes(1, 2)
+        solved = np.linalg.solve(correlation, scaled)
+        if correlation.shape[1] > 1 and np.linalg.eigvalsh(correlation)[:, 0].min() < SINGULAR:
+            raise np.linalg.LinAlgError         # rounding alone would decide
+        if not (variance > 0).all():
             raise np.linalg.LinAlgError
     except np.linalg.LinAlgError:
         raise ValueError(f"{name} cannot be inverted: a component is known exactly, or two are copies. / "

@@ -46,14 +46,14 @@ class LinearModel:
 
     def __post_init__(self):
         x0 = check_finite("x0", numbers("x0", self.x0, 1))
-        n = len(x0)
-        check_shape("x0", x0, (n,))
+        n = _size(x0)
+        _check_callable("residual", self.residual)
         H = check_finite("H", matrix("H", self.H, columns=n))
         m = H.shape[-2]
         F = check_finite("F", matrix("F", self.F, rows=n, columns=n))
         B = None if self.B is None else check_finite("B", matrix("B", self.B))
         check_shape("F", F, (n, n))
-        if H.shape[-1] != n:
+        if H.shape[-1] != n or m == 0:
             raise ValueError(shape_message("H", H.shape, f"(m, {n})"))
         if B is not None and B.shape[-2] != n:
             raise ValueError(shape_message("B", B.shape, f"({n}, l)"))
@@ -106,8 +106,8 @@ class NonlinearModel:
 
     def __post_init__(self):
         x0 = check_finite("x0", numbers("x0", self.x0, 1))
-        n = len(x0)
-        check_shape("x0", x0, (n,))
+        n = _size(x0)
+        _check_callable("residual", self.residual)
         m = matrix("R", self.R).shape[-1] if np.ndim(self.R) > 1 else 1
         Q, R, P0 = _noise(self, n, m)
         _freeze(self, Q=Q, R=R, x0=x0, P0=P0)
@@ -119,21 +119,21 @@ class NonlinearModel:
     def transition(self, x, u=None, k=0):
         """The next state f(x, u) (n,) and the Jacobian F (n, n) at x; k is named where something is wrong."""
         n = len(self.x0)
-        f = _result("f(x, u)", self.f(x, u), (n,), k)
-        F = _result("F(x, u)", self.F(x, u), (n, n), k)
+        f = _result("f(x, u)", self.f(np.array(x), u), (n,), k)         # copies: f may work in place
+        F = _result("F(x, u)", self.F(np.array(x), u), (n, n), k)
         return f, F
 
     def measure(self, x, u=None, k=0):
         """What the sensors would show without noise, h(x, u) (m,), and the Jacobian H (m, n) at x."""
         n, m = len(self.x0), self.R.shape[-1]
-        h = _result("h(x, u)", self.h(x, u), (m,), k)
-        H = _result("H(x, u)", self.H(x, u), (m, n), k)
+        h = _result("h(x, u)", self.h(np.array(x), u), (m,), k)
+        H = _result("H(x, u)", self.H(np.array(x), u), (m, n), k)
         return h, H
 
     def _try_measure(self):
         """What h and H return is looked at early, if they can do without an input."""
         try:
-            h, H = self.h(self.x0, None), self.H(self.x0, None)
+            h, H = self.h(np.array(self.x0), None), self.H(np.array(self.x0), None)
         except Exception:                       # they need u, or do not like x0: checked at the first step
             return
         n, m = len(self.x0), self.R.shape[-1]
@@ -170,9 +170,22 @@ def _noise(model, n, m):
     for name, M, size in (("Q", Q, n), ("P0", P0, n), ("R", R, m)):
         check_shape(name, M, (size, size))
         check_covariance(name, M, definite=name == "R")
-    if Q.ndim == 2:
-        Q = Covariance.of(Q)
-    return Q, R, Covariance.of(P0)
+    R = (R + R.swapaxes(-1, -2)) / 2
+    if Q.ndim == 3:
+        return np.array([Covariance.nearest(Q_k) for Q_k in Q]), R, Covariance.nearest(P0)
+    return Covariance.nearest(Q), R, Covariance.nearest(P0)
+
+
+def _size(x0):
+    """The number of states."""
+    if x0.ndim != 1 or len(x0) == 0:
+        raise ValueError(shape_message("x0", x0.shape, f"({max(len(x0), 1)},)"))
+    return len(x0)
+
+
+def _check_callable(name, function):
+    if not callable(function):
+        raise ValueError(f"{name} must be a function. / {name} harus berupa fungsi.")
 
 
 def _of_x_and_u(name, function):
@@ -183,10 +196,16 @@ def _of_x_and_u(name, function):
         signature = inspect.signature(function)
     except ValueError:                          # some built-in functions do not tell theirs
         return function
+    names = list(signature.parameters)
+    if "u" in names and signature.parameters["u"].kind is inspect.Parameter.KEYWORD_ONLY:
+        return lambda x, u=None: function(x, u=u)
+    if len(names) > 1 and names[1] != "u" and signature.parameters[names[1]].default is not inspect.Parameter.empty:
+        names = []                              # a second parameter that has a value is no input
     for arguments, wanted in ((2, function), (1, lambda x, u=None: function(x))):
         try:
             signature.bind(*range(arguments))
-            return wanted
+            if arguments == 1 or names:
+                return wanted
         except TypeError:
             continue
     raise ValueError(f"{name} must take two arguments, {name}(x, u); it takes {signature}. / "

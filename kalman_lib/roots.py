@@ -24,6 +24,15 @@ class Covariance(np.ndarray):
         return covariance
 
     @classmethod
+    def nearest(cls, P):
+        """P (n, n) without what rounding has left in it: symmetric, and no variance below 0."""
+        P = (P + P.T) / 2
+        eigenvalues = np.linalg.eigvalsh(P)
+        if eigenvalues[0] < -1e-13 * eigenvalues[-1]:
+            return cls.from_root(root_of(P))
+        return cls.of(P)
+
+    @classmethod
     def from_root(cls, L):
         """L L', with its root L (n, n)."""
         P = L @ L.T

@@ -3,7 +3,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .checks import check_shape, numbers, series
+from .checks import check_finite, check_shape, numbers, series
 from .models import steps_of
 
 
@@ -23,12 +23,18 @@ def simulate(model, steps, rng, u=None, x0=None):
     (None: drawn from N(model.x0, model.P0)). Where a variance in R is infinite, the sensor is silent: z is NaN.
     """
     n = len(model.x0)
+    if isinstance(steps, bool) or not isinstance(steps, (int, np.integer)) or steps < 1:
+        raise ValueError(f"steps = {steps!r}: expected a whole number of at least 1. / "
+                         f"steps = {steps!r}: seharusnya bilangan bulat, sedikitnya 1.")
+    if not isinstance(rng, np.random.Generator):
+        raise ValueError(f"rng must be a NumPy Generator (np.random.default_rng(1)), not {type(rng).__name__}. / "
+                         f"rng harus Generator NumPy (np.random.default_rng(1)), bukan {type(rng).__name__}.")
     steps_of(model, steps)
     u = None if u is None else series("u", u, steps=steps)
     if x0 is None:
         x = rng.multivariate_normal(model.x0, model.P0, method="eigh")
     else:
-        x = numbers("x0", x0, 1)
+        x = check_finite("x0", numbers("x0", x0, 1))
         check_shape("x0", x, (n,))
     w = _noise(model.Q, steps, rng)
     v = _noise(model.R, steps, rng)

@@ -10,12 +10,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .checks import check_covariance
+from .checks import check_covariance, numbers, shape_message
 from .fast import kalman_filter
 from .filters import update
+from .many import run_of
 from .models import LinearModel, subtract
 from .numeric import check_start, differences, maximise, settle
-from .roots import one_after_another, root_of
+from .roots import one_after_another, root_of, rotated
 
 
 # --- how likely are the measurements? -----------------------------------------------------------
@@ -25,15 +26,17 @@ def log_likelihood(result):
 
     The innovations are independent, y ~ N(0, S), so their log-densities add up. Only what was
     measured counts: NaN in y (a silent sensor) and an infinite variance in S (R = inf) leave the
-    rest of the row. An innovation that a gate left out was measured, and counts.
+    rest of the row. An innovation that a gate left out does not count either (its y is NaN).
 
     y (T, m), S (T, m, m) -> a number; y (T, m, runs), S (T, m, m) or (T, m, m, runs) -> (runs,).
     ValueError: an S that is no covariance.
     """
     y, S = np.asarray(result.y), np.asarray(result.S)
     many = y.ndim == 3
-    if not many and result.H is not None and _almost_singular(S):
-        return _sensor_by_sensor(result)
+    if getattr(result, "start", None) is not None and _almost_singular(S):
+        runs = [run_of(result, run) for run in range(y.shape[2])] if many else [result]
+        each = [_sensor_by_sensor(run) for run in runs]
+        return np.array(each) if many else each[0]
     y = np.moveaxis(y, 2, 1) if many else y[:, np.newaxis]                   # (T, runs, m)
     S = np.moveaxis(S, 3, 1) if S.ndim == 4 else S[:, np.newaxis]
     variance = np.diagonal(S, axis1=2, axis2=3)
@@ -54,22 +57,30 @@ def log_likelihood(result):
 
 
 def _almost_singular(S):
-    """Are there sensors that say nearly the same, so that S (T, m, m) has lost the digits that tell them apart?"""
-    variance = np.diagonal(S, axis1=1, axis2=2)
-    if S.shape[1] == 1 or not np.isfinite(variance).all():
+    """Do sensors say nearly the same, so that S (T, m, m) has lost the digits that tell them apart?"""
+    if S.shape[1] == 1:
         return False
-    sigma = np.sqrt(variance)
-    return np.linalg.eigvalsh(S / sigma[:, :, np.newaxis] / sigma[:, np.newaxis]).min() < 1e-5
+    if S.ndim == 4:
+        S = np.moveaxis(S, 3, 1).reshape(-1, *S.shape[1:3])
+    variance = np.diagonal(S, axis1=1, axis2=2)
+    sigma = np.sqrt(np.where(np.isfinite(variance), variance, 1))
+    told = np.where(np.isfinite(S), S, 0) / sigma[:, :, np.newaxis] / sigma[:, np.newaxis]
+    silent = ~np.isfinite(variance)
+    told[silent] = told.swapaxes(1, 2)[silent] = 0
+    told = told + silent[:, np.newaxis] * np.eye(S.shape[1])
+    return bool(np.linalg.eigvalsh(told)[:, 0].min() < 1e-5)
 
 
 def _sensor_by_sensor(result):
-    """The same by the roots of P_pred: one sensor after the other, and no S of several."""
-    total = 0.0
-    for P_pred, y, H, R in zip(result.P_pred, result.y, result.H, result.R):
+    """The same of one run, by the roots of P_pred: one sensor after the other, and no S of several."""
+    total, L = 0.0, result.start
+    for F, Q, H, R, y in zip(result.F, result.Q, result.H, result.R, result.y):
+        L, _ = rotated(np.hstack([F @ L, root_of(Q)]))
         heard = np.isfinite(y)
         total -= np.linalg.slogdet(2 * np.pi * R[np.ix_(heard, heard)])[1] / 2
-        for _, S, _, y_i in one_after_another(root_of(P_pred), y, H, R):
+        for _, S, A, y_i in one_after_another(L, y, H, R):
             total -= (np.log(S) + y_i ** 2 / S) / 2
+            L = L @ A
     return float(total)
 
 
@@ -139,6 +150,8 @@ def whiteness(y, lags=None):
     y = _array("y", y, gaps=True)
     columns = y.reshape(len(y), -1).T if y.ndim in (1, 2) and y.size else []
     lags = min(10, max(y.shape[0] // 5, 1)) if lags is None and y.ndim else lags
+    if not isinstance(lags, (int, np.integer)):
+        lags = 0                                # refused below
     varies = [len(set(c[np.isfinite(c)])) > 1 for c in columns]
     if not varies or not 0 < lags < len(y) or not all(varies):
         raise ValueError("y must be (T,) or (T, m), T above lags, and vary in each column. / "
@@ -248,17 +261,21 @@ def discretise(A, Qc, dt, Bc=None):
 
 
 def _step_of(A, Qc, Bc, dt):
-    """F, Q, B of one step: Van Loan's for a step short enough, which is then doubled."""
-    from scipy.linalg import expm
-    n, l = Bc.shape
-    doublings = max(0, int(np.ceil(np.log2(max(np.abs(A).sum(axis=0).max() * dt, 1)))))
+    """F, Q, B of one step: their power series for a step short enough, which is then doubled.
+
+    The derivatives of exp(A s) Qc exp(A s)' at s = 0 are M, A M + M A', and so on: every entry is
+    summed for itself, so that dt^7 beside dt keeps its digits.
+    """
+    size = np.abs(A).sum(axis=0).max() * dt
+    doublings = max(0, int(np.ceil(np.log2(max(2 * size, 1)))))
     h = dt / 2 ** doublings
-    q = np.abs(Qc).max() * h or 1           # so that no block outweighs A
-    b = np.abs(Bc).max(initial=0) * h or 1
-    G = expm(np.block([[-A * h, Qc * (h / q)], [np.zeros((n, n)), A.T * h]]))
-    F = G[n:, n:].T
-    Q = q * F @ G[:n, n:]
-    B = b * expm(np.block([[A * h, Bc * (h / b)], [np.zeros((l, n + l))]]))[:n, n:]
+    F, Q, B = np.zeros_like(A), np.zeros_like(A), np.zeros_like(Bc)
+    power, M, drive = np.eye(len(A)), Qc * h, Bc * h            # the next terms
+    for k in range(1, 40 + 2 * len(A)):
+        F, Q, B = F + power, Q + M, B + drive
+        power = A @ power * (h / k)
+        M = (A @ M + M @ A.T) * (h / (k + 1))
+        drive = A @ drive * (h / (k + 1))
     with np.errstate(over="ignore", invalid="ignore"):
         for _ in range(doublings):
             Q = Q + F @ Q @ F.T
@@ -311,14 +328,10 @@ def _compare(name, function, values, x, residual):
 
 def _array(name, value, shape=None, gaps=False):
     """The value as a float array of that shape (None: any); with gaps it may hold NaN."""
-    try:
-        array = np.array(value, dtype=float, ndmin=0 if shape is None else len(shape))
-    except (TypeError, ValueError):
-        array = np.array(np.inf)
+    array = numbers(name, value, 0 if shape is None else len(shape))
     if np.isinf(array).any() or (np.isnan(array).any() and not gaps):
         raise ValueError(f"{name} must hold finite numbers only. / "
                          f"{name} hanya boleh berisi bilangan berhingga.")
     if shape is not None and array.shape != shape:
-        raise ValueError(f"{name} has shape {array.shape}, expected {shape}. / "
-                         f"{name} berukuran {array.shape}, seharusnya {shape}.")
+        raise ValueError(shape_message(name, array.shape, shape))
     return array

@@ -1,6 +1,8 @@
 """What the filters take and refuse: numbers from anywhere, and one sentence in both languages for the rest."""
+import copy
 import datetime
 import pickle
+import warnings
 from dataclasses import FrozenInstanceError, fields, replace
 from decimal import Decimal
 from fractions import Fraction
@@ -10,7 +12,7 @@ import pandas as pd
 import pytest
 
 from kalman_lib import (LinearModel, NonlinearModel, degrees_of_freedom, fast, filters, kalman_filter, nees, nis,
-                        rts_smooth, simulate, smooth_runs, update)
+                        predict, rts_smooth, simulate, smooth_runs, update)
 from kalman_lib.papers import beetle
 
 ONE = LinearModel(F=1, H=1, Q=0.01, R=1, x0=0, P0=1, B=1)
@@ -200,6 +202,84 @@ def test_a_filter_that_diverges_says_at_which_step():
     model = battery(f=lambda x, u: 1e30 * x, F=lambda x, u: -1e30 * np.eye(2), h=lambda x, u: x[0] * 0, H=lambda x, u: [0, 0])
     with np.errstate(all="ignore"), pytest.raises(ValueError, match=r"at step \d+ .*langkah \d+") as error:
         kalman_filter(model, np.zeros(30), np.ones(30))
+    one_sentence_in_each_language(error)
+
+
+@pytest.mark.parametrize("residual, words", [
+    (lambda z, z_pred: (z - z_pred) * NAN, r"residual\(z, z_pred\)\[0\] is nan at step 0"),
+    (lambda z, z_pred: np.zeros(3), r"has shape \(3,\)"), (None, "residual must be a function")])
+def test_a_residual_that_is_no_number_is_refused(residual, words):
+    with pytest.raises(ValueError, match=words) as error:
+        kalman_filter(replace(ONE, residual=residual), [1, 2])
+    one_sentence_in_each_language(error)
+
+
+@pytest.mark.parametrize("change, words", [
+    (dict(h=lambda x, u: np.where(x > 0.6, NAN, x)), r"h\(x, u\)\[0\] is nan at step"), (dict(), r"z\[1\] is .*inf")])
+def test_many_extended_runs_hide_nothing(change, words):
+    parts = dict(f=lambda x, u: x, F=lambda x, u: [[1]], h=lambda x, u: x, H=lambda x, u: [1], Q=1, R=1, x0=0, P0=1)
+    z = np.ones((20, 1, 2))
+    if not change:
+        z[1, 0, 0] = np.inf
+    with pytest.raises(ValueError, match=words):
+        kalman_filter(NonlinearModel(**{**parts, **change}, many_runs=True), z)
+
+
+def test_functions_that_work_in_place_change_no_result():
+    def f(x, u):
+        x[0] = x[0] + 1
+        return x
+    model = NonlinearModel(f, lambda x, u: [[1]], lambda x, u: x, lambda x, u: [1], 0.1, 1, 0, 1, many_runs=True)
+    z = np.ones((6, 1, 2))
+    single = kalman_filter(model, z[:, :, 0])
+    assert np.allclose(kalman_filter(model, z).x[..., 0], single.x, rtol=1e-12)
+    expected = kalman_filter(replace(model, f=lambda x, u: x + 1), z[:, :, 0])
+    assert np.array_equal(single.x, expected.x)
+
+
+def test_an_R_that_follows_from_itself_is_refused():
+    for v in ((0.1, 0.3), (0.3, 0.7), (1, 2)):
+        with pytest.raises(ValueError, match="not positive definite") as error:
+            LinearModel(1, np.ones((2, 1)), 1, np.outer(v, v), 0, 1)
+        one_sentence_in_each_language(error)
+
+
+def test_a_list_of_masked_rows_keeps_its_masks():
+    z = np.ma.masked_array([[1, 2], [999, 2], [1, 2.0]], [[0, 0], [1, 0], [0, 0]])
+    assert np.array_equal(kalman_filter(TWO, list(z)).x, kalman_filter(TWO, z).x)
+
+
+@pytest.mark.parametrize("z", [np.zeros(1200), np.zeros((1200, 1, 2))], ids=["one", "many"])
+def test_a_linear_model_that_overflows_says_at_which_step(z):
+    with np.errstate(all="ignore"), pytest.raises(ValueError, match=r"no longer finite at step \d+") as error:
+        kalman_filter(LinearModel(4, 0, 1, 1, 1, 1), z)
+    one_sentence_in_each_language(error)
+
+
+def test_copies_are_read_only_too():
+    for result in (kalman_filter(ONE, np.ones(10)), kalman_filter(ONE, np.arange(90.0) % 7)):
+        for twin in (pickle.loads(pickle.dumps(result)), copy.deepcopy(result), copy.copy(result)):
+            for field in fields(twin):
+                assert not getattr(twin, field.name).flags.writeable, field.name
+
+
+def test_a_sensor_that_never_speaks_is_no_warning():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for z in (np.full(60, NAN), np.full((60, 1, 2), NAN)):
+            assert np.array_equal(kalman_filter(ONE, z).x, np.zeros((60, 1, *z.shape[2:])))
+
+
+@pytest.mark.parametrize("call", [
+    lambda: simulate(ONE, 0, np.random.default_rng(0)), lambda: simulate(ONE, 2.5, np.random.default_rng(0)),
+    lambda: simulate(ONE, 5, 1), lambda: simulate(ONE, 5, np.random.default_rng(0), x0=[NAN]),
+    lambda: kalman_filter(None, [1.0]), lambda: kalman_filter(ONE, [1.0], adapt_R=3), lambda: kalman_filter(ONE, [10 ** 400]),
+    lambda: update(ONE, [0], [[1]], [1], R=[[-0.5]]), lambda: update(ONE, [0], [[1]], [1], R=np.eye(2)),
+    lambda: predict(ONE, [0, 0], [[1]]), lambda: predict(ONE, [0], [[-1]]), lambda: predict(ONE, [NAN], [[1]]),
+    lambda: LinearModel(1, 1, 1, 1, [], 1), lambda: nees([["a"]], [[0]], [[[1]]]), lambda: nees([[0]], [[1]], [[[-1]]])])
+def test_bad_arguments_are_one_sentence(call):
+    with pytest.raises(ValueError) as error:
+        call()
     one_sentence_in_each_language(error)
 
 

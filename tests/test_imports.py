@@ -21,7 +21,7 @@ ALLOWED = {     # file -> what of our own it may import, and which packages; the
     "filters.py": ({"checks", "models", "roots", "many"}, NUMERICS | {"scipy"}),
     "many.py": ({"models", "filters"}, NUMERICS),
     "numeric.py": (set(), NUMERICS | {"scipy"}),
-    "tuning.py": ({"checks", "models", "roots", "filters", "fast", "numeric"}, NUMERICS | {"scipy"}),
+    "tuning.py": ({"checks", "models", "roots", "filters", "many", "fast", "numeric"}, NUMERICS | {"scipy"}),
     "montecarlo.py": ({"arguments", "blocks", "workers"}, NUMERICS),
     "arguments.py": (set(), NUMERICS),
     "blocks.py": ({"models", "fast"}, NUMERICS),

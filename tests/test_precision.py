@@ -11,7 +11,7 @@ import pytest
 from high_precision import filter_and_smooth
 from statsmodels.tsa.statespace.mlemodel import MLEModel
 
-from kalman_lib import LinearModel, fast, filters, kalman_filter, nis, rts_smooth, smooth_runs
+from kalman_lib import LinearModel, NonlinearModel, fast, filters, kalman_filter, nis, rts_smooth, smooth_runs
 from kalman_lib.tuning import log_likelihood
 
 I2, ZERO2 = np.eye(2), np.zeros((2, 2))
@@ -320,3 +320,45 @@ def test_a_wrong_number_of_matrices_is_named(name, M):
             kalman_filter(model, z, np.ones(len(z)))
     with pytest.raises(ValueError, match=r"has shape \(4, 1, 1\), expected \(3, 1, 1\)|has shape \(3, 1, 1\), expected"):
         replace(model, **{("Q" if name != "Q" else "R"): np.ones(3)})
+
+
+# --- many runs of a nonlinear model, likelihoods -----------------------------------------------------------------------
+
+@pytest.mark.parametrize("F, H, Q, R, P0", [
+    ([[1, 1], [0, 1]], [1, 0], 0, 1e-6, 1e10 * I2), ([[1, 1], [0, 1]], [1, 0], 1e-3, 1, 1e14 * I2),
+    ([[1, 0], [0, 1]], [1, 1], 0, 1e-16, np.ones((2, 2))), ([[1, 0], [0, 1]], [1, 0], 0, 1e-18, np.outer([.3, .7], [.3, .7])),
+    ([[1, 0.1], [0, 0.9]], [1, 0], 0.01, 1, I2)])
+def test_many_extended_runs_are_the_loop(F, H, Q, R, P0):
+    F = np.array(F)
+    def h(x, u):
+        return np.dot(H, x)[np.newaxis]
+    model = NonlinearModel(lambda x, u: F @ x, lambda x, u: F, h, lambda x, u: H, Q * I2, R, [0, 0], P0, many_runs=True)
+    z = np.random.default_rng(2).normal(size=(60, 1, 3))
+    z[7, 0, 1] = np.nan
+    together = kalman_filter(model, z)
+    for run in range(3):
+        exact = filter_and_smooth(LinearModel(F, H, Q * I2, R, [0, 0], P0), z[:, :, run])
+        assert relative(together.x[..., run], exact["x"]) < 1e-9
+        is_covariance(together.P[..., run])
+
+
+def test_the_likelihood_of_redundant_sensors():
+    """Many runs, a third sensor that tells nothing, a vague state beside a well known one."""
+    z = np.array([[5.0, 7], [4, 5], [6, 7]])
+    for p in (1e10, 1e12, 1e16):
+        model = LinearModel(1, [[1], [1]], 1, I2, 0, p)
+        exact = filter_and_smooth(model, z)["likelihood"]
+        many = kalman_filter(model, np.stack([z, z], axis=-1))
+        assert log_likelihood(many) == pytest.approx([exact, exact], rel=1e-10)
+        three = LinearModel(1, [[1], [1], [1]], 1, np.diag([1, 1, np.inf]), 0, p)
+        assert log_likelihood(kalman_filter(three, np.c_[z, z[:, 0]])) == pytest.approx(exact, rel=1e-10)
+        mixed = LinearModel([[1, 0], [1, 1]], [[1, -1], [1, 0], [1, 0]], ZERO2, np.eye(3), [0, 0], np.diag([p, 1]))
+        exact = filter_and_smooth(mixed, [[0.0, 3, 4]])["likelihood"]
+        assert log_likelihood(kalman_filter(mixed, [[0.0, 3, 4]])) == pytest.approx(exact, rel=1e-10)
+
+
+def test_an_input_that_the_data_contradict_keeps_its_digits():
+    model = LinearModel(1, 1, 1, 1e-12, 0, 1, B=1)
+    rng = np.random.default_rng(0)
+    u, z = 1e9 * rng.choice([-1, 1], size=600), rng.normal(size=600)
+    assert relative(kalman_filter(model, z, u).x, filters.kalman_filter(model, z, u).x) < 1e-12

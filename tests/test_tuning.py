@@ -1,4 +1,5 @@
 """Tuning against statsmodels, SciPy's quadrature, mpmath and closed forms."""
+import math
 import warnings
 from dataclasses import replace
 from types import SimpleNamespace
@@ -541,3 +542,19 @@ def test_x_must_be_a_state_and_f_finite():
     with pytest.raises(ValueError, match=r"f\(x, u\)") as error:
         check_jacobians(replace(m, f=lambda x, u: np.array([np.nan, x[1], x[2]])), [1, 2, 3])
     assert bilingual(error)
+
+
+@pytest.mark.parametrize("n", [2, 4, 6, 8])
+@pytest.mark.parametrize("dt", [1e-6, 1e-3, 0.1, 2.0])
+def test_a_chain_of_integrators_keeps_the_digits_of_every_entry(n, dt):
+    """Q[i, j] = dt^(a + b + 1) / ((a + b + 1) a! b!) with a = n - 1 - i, b = n - 1 - j."""
+    Qc = np.zeros((n, n))
+    Qc[-1, -1] = 1
+    F, Q = discretise(np.eye(n, k=1), Qc, dt)
+    for i in range(n):
+        for j in range(n):
+            a, b = n - 1 - i, n - 1 - j
+            expected = dt ** (a + b + 1) / ((a + b + 1) * math.factorial(a) * math.factorial(b))
+            assert Q[i, j] == pytest.approx(expected, rel=1e-12, abs=0)
+            power = dt ** (j - i) / math.factorial(j - i) if j >= i else 0
+            assert F[i, j] == pytest.approx(power, rel=1e-12, abs=1e-300)

@@ -38,8 +38,10 @@ def kalman_filter(model, z, u=None, adapt_R=None, gate=None):
 
 def _quick(model, z, u):
     """The FilterResult of a fast form, or None: then the loop does it, and says what is wrong if something is."""
+    if not hasattr(model, "transition"):
+        return None
     z = shaped_series("z", z, width=model.R.shape[-1], runs=True)
-    if z.ndim == 2:                             # of many runs what is not finite shows at the end
+    if z.ndim == 2 or isinstance(model, NonlinearModel):        # else what is not finite shows at the end
         check_series("z", z)
     steps_of(model, len(z))
     u = None if u is None else series("u", u, steps=len(z))

@@ -11,10 +11,11 @@ from ..checks import shape_message
 from ..roots import root_of
 from . import entries
 from .lazy import LazyFilterResult
+from .rounding import LOST
 
 
 def filter_runs(model, z, u):
-    """z (T, 1, N), u (T, l) or None -> FilterResult; None where something is not finite: the loop says what."""
+    """z (T, 1, N), u (T, l) or None -> FilterResult; None where the loop is needed: rounding, or a number not finite."""
     T, _, runs = z.shape
     n = len(model.x0)
     Q = [[q or None for q in row] for row in np.asarray(model.Q).tolist()]
@@ -26,16 +27,26 @@ def filter_runs(model, z, u):
         x_pred, F = _transition(model, x_k, u[k])
         P_pred = entries.predict(P, entries.sparse(F), Q)
         h, H = _measure(model, x_pred, u[k])
-        y = model.residual(z[k], h)
-        heard = None if np.isfinite(y).all() else np.isfinite(y[0])
-        P, K, S = entries.update(P_pred, entries.sparse(H)[0], float(model.R[0, 0]), heard)
+        silent = np.isnan(z[k])
+        y = np.where(silent, np.nan, model.residual(z[k], h))
+        h_sparse = entries.sparse(H)[0]
+        P_before, heard = P, ~silent[0] if silent.any() else None
+        P, K, S = entries.update(P_pred, h_sparse, float(model.R[0, 0]), heard)
+        if len(h_sparse) != 1 or not np.isfinite(h).all() or _loses_digits(F, P_before, P_pred, P):
+            return None
         known = y[0] if heard is None else np.nan_to_num(y[0])
         x_k = x[k]
         for i, K_i in enumerate(K):
             np.add(x_pred[i], K_i * known, out=x_k[i])
         steps.append(([[row] for row in x_pred], P_pred, P, [y], [[S]], [[K_i] for K_i in K], F, H))
-    if not np.isfinite(x[-1]).all():
+    if not np.isfinite(x).all():
         return None
+    return _result(model, z, x, steps)
+
+
+def _result(model, z, x, steps):
+    """The FilterResult; what is read is stacked then."""
+    T, n, runs = x.shape
 
     def stacked(i, flat=False):
         """Entry i of every step as an array (T, rows, columns, N)."""
@@ -49,9 +60,21 @@ def filter_runs(model, z, u):
         Q=np.broadcast_to(model.Q, (T, n, n)), R=np.broadcast_to(model.R, (T, 1, 1)))
 
 
+@np.errstate(all="ignore")
+def _loses_digits(F, before, P_pred, P):
+    """Does the step take so much from a variance that its digits are lost (rounding.py), in any of the runs?"""
+    sigma = [np.sqrt(before[j][j]) for j in range(len(F))]
+    for i, row in enumerate(entries.sparse(F)):
+        terms = sum(np.abs(sigma[j] if entry is None else entry * sigma[j]) for j, entry in row)
+        lost = np.maximum(terms * terms / P_pred[i][i], P_pred[i][i] / P[i][i])
+        if not (lost <= LOST).all():
+            return True
+    return False
+
+
 def _transition(model, x, u):
     """f (n, N) and the entries of F, checked."""
-    f = np.asarray(model.f(x, u), dtype=float)
+    f = np.asarray(model.f(x.copy(), u), dtype=float)           # a copy: f may work in place
     if f.shape != x.shape:
         raise ValueError(shape_message("f(x, u)", f.shape, x.shape))
     return f, _rows("F(x, u)", model.F(x, u), (len(x), len(x)), x.shape[1])
@@ -67,6 +90,8 @@ def _measure(model, x, u):
 
 def _rows(name, M, shape, runs):
     """M as rows of entries, each a number or (N,)."""
+    if not any(isinstance(row, (list, tuple, np.ndarray)) for row in M):
+        M = [M]                                 # of one sensor, a row alone
     found = (len(M), *{len(row) for row in M})
     if found != shape:
         raise ValueError(shape_message(name, found, shape))

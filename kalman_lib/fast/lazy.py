@@ -67,7 +67,8 @@ class Gains:
 
     @functools.cached_property
     def S(self):
-        return self.s.H @ self.P_pred @ self.s.H.T + self.s.R
+        S = self.s.H @ self.P_pred @ self.s.H.T + self.s.R
+        return (S + S.swapaxes(1, 2)) / 2
 
     @functools.cached_property
     def K(self):

@@ -82,5 +82,7 @@ def near(s, largest, usual, y, P):
     size = np.abs(s.H) @ np.maximum(largest, np.abs(s.x0))
     K = gain_after(s, P)
     told = np.abs(K) @ size * np.sqrt(steps_alive(s.F - K @ s.H @ s.F, len(s.z)))   # to the states, by rounding z
-    started = np.abs(s.F) @ np.abs(s.x0)
+    started = np.abs(s.F) @ np.abs(s.x0)        # by x0, and by the input
+    if s.drive is not None:
+        started = started + np.abs(s.drive).max(axis=0)
     return bool((size <= FAR * y).all() and (told <= FAR * usual).all() and (started <= FAR * usual).all())

@@ -18,6 +18,8 @@ HEAD = 64               # steps that the loop may take over where a vague start 
 
 def filter_series(s):
     """The FilterResult of one run, or None where the loop is needed."""
+    if s.silent is not None and s.silent.all(axis=0).any():
+        return None                             # a sensor that never speaks
     parts = s.parts()
     found = [filter_part(part) for _, part in parts]
     if any(answer is None for answer in found):
@@ -28,6 +30,8 @@ def filter_series(s):
     gains = Gains(s, together(s, parts, [P for _, P in found]))
     if len(s.H) > 1 and not rounding.well_conditioned(gains.S):
         return None
+    if not np.isfinite(x[-1]).all():
+        return None                             # too large for numbers: the loop says at which step
     result = result_of(gains, x)
     size = np.abs(x)
     y = np.abs(result.y)
