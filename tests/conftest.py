@@ -1,5 +1,6 @@
 """What several test files share: outside programs, the built site, a real browser."""
 
+import contextlib
 import functools
 import http.server
 import os
@@ -46,17 +47,16 @@ def need_program(*names, install):
     pytest.skip(message)
 
 
-@pytest.fixture(scope="session")
-def chromium():
-    """Debian's Chromium under Playwright; a test opens contexts of its own
-    (chromium.new_context)."""
+@contextlib.contextmanager
+def browser():
+    """Debian's Chromium under Playwright."""
     from playwright.sync_api import sync_playwright
 
     path = need_program(
         "chromium", "chromium-browser", "google-chrome", install="apt-get install chromium"
     )
     with tempfile.TemporaryDirectory() as profile, sync_playwright() as playwright:
-        browser = playwright.chromium.launch(
+        started = playwright.chromium.launch(
             executable_path=path,
             args=[
                 "--no-sandbox",
@@ -70,8 +70,15 @@ def chromium():
                 f"--disable-features={','.join(LEFT_OUT)}",
             ],
         )
-        yield browser
-        browser.close()
+        yield started
+        started.close()
+
+
+@pytest.fixture(scope="session")
+def chromium():
+    """The browser; a test opens contexts of its own (chromium.new_context)."""
+    with browser() as started:
+        yield started
 
 
 @pytest.fixture(scope="session")

@@ -3,6 +3,7 @@ the build."""
 
 import gzip
 import importlib
+import json
 import re
 import shutil
 import subprocess
@@ -14,6 +15,7 @@ import pytest
 from conftest import ROOT
 from explorer_helpers import PAPERS, SOURCES, pages_with_explorers
 
+from kalman_lib.live.pictures import PICTURES
 from kalman_lib.papers import describe
 
 # --- who may import whom ------------------------------------------------------------------------
@@ -25,9 +27,10 @@ ALLOWED = {
     "drawing": {"drawing"},
     "element": {"element", "drawing", "language", "numerics"},
     "papers": {"numerics", "language", "files"},  # and each its own folder
+    "jupyter": {"jupyter", "element", "drawing", "language"},
     "": {"numerics", "language", "element"},  # core.js
 }
-TOUCH_THE_DOCUMENT = {"element", "drawing"}
+TOUCH_THE_DOCUMENT = {"element", "drawing", "jupyter"}
 FILES = sorted(SOURCES.rglob("*.js"))
 
 
@@ -77,6 +80,16 @@ def test_the_files_are_formatted_and_linted():
             encoding="utf-8",
         )
         assert made.returncode == 0, made.stdout + made.stderr
+
+
+def test_every_view_starts_somewhere_and_has_a_still_picture(tmp_path):
+    views = explorers_to_bundle.for_notebooks(tmp_path)
+    starts = json.loads((tmp_path / "starts.json").read_text())
+    assert {paper: list(found) for paper, found in starts.items()} == views
+    assert set(PICTURES) == {(paper, view) for paper, found in views.items() for view in found}
+    for paper, found in starts.items():
+        fields = set(describe(importlib.import_module(f"kalman_lib.papers.{paper}").Params))
+        assert all(fields <= set(start) for start in found.values())
 
 
 # --- what a page loads --------------------------------------------------------------------------

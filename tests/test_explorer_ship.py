@@ -152,6 +152,34 @@ def then_an_uneven_one_and_back(text, language, element):
     )
 
 
+@pytest.mark.parametrize("language", ["id", "en"])
+def test_ship_chooses_among_several_columns(language, site, opened):
+    _, trouble, element = explorer_of("ship", site, opened, language)
+    t, run = ship.towing_run(np.random.default_rng(3))
+    lines = [
+        f"7;{a:.1f};{'' if k == 40 else f'{b:.4f}'}" for k, (a, b) in enumerate(zip(t, run.z[:, 0]))
+    ]
+    element.locator("textarea").fill("\n".join(["run;t;v", *lines]))
+    message = element.locator(".explorer-message")
+    message.wait_for(state="visible")  # the first two columns are the wrong ones
+    time, speed = {"id": ("Kolom waktu", "Kolom kecepatan"), "en": ("Time column", "Speed column")}[
+        language
+    ]
+    element.get_by_label(speed).select_option("v")
+    element.get_by_label(time).select_option("t")
+    shown(element)
+    assert not message.is_visible()
+    z = element.evaluate("e => Array.from(e.explorer.r.data.z)")
+    expected = run.z[:, 0].round(4)
+    assert np.isnan(z[40]) and np.allclose(np.delete(z, 40), np.delete(expected, 40))
+    element.get_by_label(time).select_option("v")
+    message.wait_for(state="visible")
+    assert {"id": "berbeda", "en": "different"}[language] in message.inner_text()
+    element.evaluate("e => e.explorer.reset()")
+    shown(element)
+    assert trouble == []
+
+
 BAD_RECORDINGS = [
     "0 1\n1 2\n2 <img src=x onerror=alert(1)>",
     "<script>alert(1)</script>",

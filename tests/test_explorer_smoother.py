@@ -21,11 +21,8 @@ def test_lag_likelihood_and_smoother_as_in_python(bundle):
     rng = np.random.default_rng(3)
     for make in (smoother.silkworm_room, smoother.cutting_force, smoother.tank_level):
         data = make(rng)
-        z, truth, p = (
-            data.z[:, 0].copy(),
-            data.x[:, 0],
-            smoother.Params(Q=0.01, R=0.1, x0=float(data.z[0, 0])),
-        )
+        z, truth = data.z[:, 0].copy(), data.x[:, 0]
+        p = smoother.Params(Q=0.01, R=0.1, x0=float(z[0]))
         z[5:9] = nan
         x, P, K, smooth = smoother.scalar_filter(z, p)
         result = kalman_filter(smoother.model(p), z)
@@ -59,6 +56,14 @@ def test_lag_likelihood_and_smoother_as_in_python(bundle):
     )
 
 
+def test_R_from_a_steady_stretch(bundle):
+    program = "(z, _) => _.R_from_steady(Float64Array.from(z))"
+    for seed in range(5):
+        z = np.random.default_rng(seed).normal(5, 0.1, 20)
+        (answer,) = javascript(bundle, program, z.tolist())
+        assert answer == pytest.approx(smoother.R_from_steady(z), rel=1e-12)
+
+
 # --- the page -----------------------------------------------------------------------------------
 
 
@@ -78,6 +83,28 @@ def test_the_form_starts_with_the_paper_s_table(form):
     assert {"id": "tidak meninggalkan perangkat ini", "en": "Nothing leaves this device"}[
         language
     ] in element.inner_text()
+
+
+def test_R_from_a_stretch_and_the_table_of_the_form(form):
+    page, element, language = form
+    paste(element, "1.5\n2.5\n3.25\n9")
+    field = element.locator("input[id$=-entry]")
+    field.fill("1-3")
+    field.press("Enter")
+    shown(element)
+    R = float(np.var([1.5, 2.5, 3.25], ddof=1))
+    assert element.evaluate("e => e.explorer.s.R") == pytest.approx(R, rel=1e-5)
+    field.fill("3-3")
+    field.press("Enter")
+    message = {"id": "kurang dari dua nilai", "en": "fewer than two values"}[language]
+    element.locator(".explorer-message").filter(has_text=message).wait_for()
+    element.locator("details.explorer-numbers").evaluate("e => { e.open = true }")
+    heads = element.locator(".explorer-table th[scope=col]")
+    heads.nth(2).wait_for()
+    measured, filtered = {"id": ("Terukur", "Hasil filter"), "en": ("Measured", "Filtered")}[
+        language
+    ]
+    assert heads.all_inner_texts()[:3] == ["No", measured, filtered]
 
 
 def test_a_pasted_column_is_filtered(form):

@@ -7,6 +7,8 @@ import sys
 import zipfile
 from pathlib import Path
 
+import conftest  # noqa: F401  (the build's own modules can be imported)
+import explorers
 import pytest
 
 LIBRARY = Path(__file__).resolve().parent.parent / "kalman_lib"
@@ -35,12 +37,9 @@ ALLOWED = {
         set(),
     ),
     "data": (set(), NUMERICS | {"openpyxl"}),
-    "sketch": (set(), NUMERICS),
-    "plots": ({"metrics", "models", "papers", "sketch"}, NUMERICS | {"matplotlib", "PIL"}),
-    "widgets": (
-        {"models", "metrics", "simulate", "filters", "fast", "papers", "plots", "data"},
-        NUMERICS | {"ipywidgets", "IPython"},
-    ),
+    "plots": ({"metrics", "models", "papers"}, NUMERICS | {"matplotlib", "PIL"}),
+    "live": ({"data", "fast", "filters", "papers", "plots"}, NUMERICS),
+    "explorer": ({"live", "papers"}, NUMERICS | {"anywidget", "traitlets", "IPython"}),
 }
 # A paper, whether a file or a folder: the core, and of the other papers nothing ("papers": the
 # package alone)
@@ -132,6 +131,7 @@ def test_importing_the_package_loads_no_heavy_library():
         "matplotlib",
         "ipywidgets",
         "anywidget",
+        "traitlets",
         "scipy",
         "openpyxl",
         "IPython",
@@ -141,7 +141,8 @@ def test_importing_the_package_loads_no_heavy_library():
     assert not heavy & set(run.stdout.split())
 
 
-def test_the_wheel_holds_every_module(tmp_path):
+def test_the_wheel_holds_every_module_and_the_explorers(tmp_path):
+    explorers.for_notebooks()
     source = tmp_path / "source"
     shutil.copytree(LIBRARY, source / "kalman_lib", ignore=shutil.ignore_patterns("__pycache__"))
     for name in ("pyproject.toml", "README.md", "LICENSE"):
@@ -150,5 +151,8 @@ def test_the_wheel_holds_every_module(tmp_path):
     offline = ["--no-index", "--no-deps", "--no-build-isolation"]
     subprocess.run([*pip, *offline, "-w", tmp_path, source], check=True)
     (wheel,) = tmp_path.glob("*.whl")
-    modules = {path.relative_to(LIBRARY.parent).as_posix() for path in LIBRARY.rglob("*.py")}
-    assert modules <= set(zipfile.ZipFile(wheel).namelist())
+    bundle = [explorers.FOR_NOTEBOOKS / name for name in ("widget.js", "widget.css", "starts.json")]
+    needed = {
+        path.relative_to(LIBRARY.parent).as_posix() for path in [*LIBRARY.rglob("*.py"), *bundle]
+    }
+    assert needed <= set(zipfile.ZipFile(wheel).namelist())

@@ -11,7 +11,8 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 PAGES = sorted((ROOT / "book").glob("*.md"))
-WIDGET = re.compile(r"^widgets\.\w+\(", re.MULTILINE)
+EXPLORER = re.compile(r"^explore\(.*\)$")
+SLIDER = re.compile(r"^@interact\(", re.MULTILINE)
 
 
 def cells(path):
@@ -151,10 +152,22 @@ def test_every_figure_is_described_in_both_languages(path):
 def test_only_live_widgets_skip_the_comparison(path):
     for cell in code_cells(path):
         skips = {"nbval-ignore-output", "nbval-skip", "raises-exception"} & set(tags(cell))
-        assert bool(skips) == bool(WIDGET.search(text(cell))), text(cell)
+        is_live = bool(EXPLORER.search(text(cell)) or SLIDER.search(text(cell)))
+        assert bool(skips) == is_live, text(cell)
         assert "NBVAL" not in text(cell) and skips <= {"nbval-ignore-output"}
-        if skips:
-            assert len(text(cell).splitlines()) == 1  # nothing else hides behind the widget
+        if EXPLORER.search(text(cell)):
+            assert len(text(cell).splitlines()) == 1  # nothing else hides behind the explorer
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_one_visible_cell_with_a_slider_that_the_reader_can_change(path):
+    (cell,) = [cell for cell in code_cells(path) if SLIDER.search(text(cell))]
+    assert not {"hide-input", "hide-cell"} & set(tags(cell))
+    lines = text(cell).splitlines()
+    assert len(lines) <= 10 and max(map(len, lines)) <= 76 and "def " in text(cell)
+    assert any(
+        "image/png" in output["data"] for output in cell["outputs"]
+    )  # on paper: what it draws first
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)

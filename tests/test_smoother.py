@@ -6,7 +6,7 @@ import pytest
 from filterpy.kalman import KalmanFilter
 from statsmodels.tsa.statespace.structural import UnobservedComponents
 
-from kalman_lib import LinearModel, kalman_filter, log_likelihood
+from kalman_lib import LinearModel, kalman_filter, log_likelihood, rts_smooth
 from kalman_lib.papers import smoother
 
 # Figure 3 of the paper, typed from the page; each output rounded to the digits printed
@@ -168,6 +168,18 @@ def test_the_map_of_the_likelihood_is_the_likelihood_of_each_filter():
     assert smoother.log_likelihood(z, Q, R) == pytest.approx(each, rel=1e-12)
 
 
+@pytest.mark.parametrize("seed", range(5))
+def test_the_quick_filter_equals_the_reference(seed):
+    rng = np.random.default_rng(seed)
+    z = rng.normal(size=300).cumsum()
+    z[rng.random(300) < 0.2] = np.nan
+    p = smoother.Params(*10 ** rng.uniform(-6, 2, 2), x0=rng.normal(), P0=rng.choice([0, 1.0, 1e6]))
+    result = kalman_filter(smoother.model(p), z)
+    expected = result.x[:, 0], result.P[:, 0, 0], result.K[:, 0, 0], rts_smooth(result).x[:, 0]
+    for mine, reference in zip(smoother.scalar_filter(z, p), expected):
+        assert mine == pytest.approx(reference, rel=1e-12, abs=1e-12)
+
+
 def test_the_quick_filter_takes_a_list():
     p = smoother.Params(Q=1, R=1, x0=0, P0=1)
     assert smoother.scalar_filter([1.0, 2.0], p)[0] == pytest.approx(
@@ -193,6 +205,13 @@ def test_maximum_likelihood_on_the_nile():
 def test_maximum_likelihood_needs_steps_that_differ(z):
     with pytest.raises(ValueError, match="at least three values"):
         smoother.maximum_likelihood(z)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_maximum_likelihood_of_steady_data_finds_the_noise(seed):
+    z = np.random.default_rng(seed).normal(5, 0.01, 100)
+    Q, R = smoother.maximum_likelihood(z)
+    assert Q >= 0 and R == pytest.approx(1e-4, rel=0.5)
 
 
 def test_rivals_at_the_edges():

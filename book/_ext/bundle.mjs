@@ -1,7 +1,9 @@
-// Makes the scripts and the style sheet of the explorers for one language: reads {sources, data, language,
-// papers} as JSON from stdin, writes {files: {name: text}, views: {paper: [name]}} to stdout. Started by
-// explorers.py.
+// Makes the scripts and the style sheet of the explorers for one language: reads {host, sources, data,
+// language, papers} as JSON from stdin, writes {files: {name: text}, views: {paper: [name]}} to stdout.
+// Started by explorers.py.
 //
+// host "cell": for a notebook one ES module with all papers in both languages, and where every view starts.
+// host "page":
 // A browser refuses ES modules from file://, so every bundle is one classic script. The core (core.js) holds
 // the rooms that all papers use; the bundle of a paper takes them from there, so that a page loads them once.
 // The words of the other language are left out. What is wrong with the sources is told in one sentence on
@@ -191,8 +193,55 @@ function entryOf(paper, table) {
   return `import * as paper from "./papers/${paper}/index.js";\nKalmanExplorers.register(${arguments_});\n`;
 }
 
-async function main() {
-  const { sources, data, language, papers } = JSON.parse(readFileSync(0, "utf8"));
+/** Imports of all papers and {name: {paper, table}}. */
+function collected(papers) {
+  const names = Object.keys(papers);
+  const imports = names.map((name) => `import * as ${name} from "./papers/${name}/index.js";`);
+  const parts = names.map((name) => `${name}: { paper: ${name}, table: ${JSON.stringify(papers[name])} }`);
+  return `${imports.join("\n")}\nconst papers = { ${parts.join(", ")} };\n`;
+}
+
+/** {paper: {view: {name: value}}}: where every control of a view starts, for Python. */
+async function startsOf(papers, options) {
+  const contents = `${collected(papers)}
+    import { completeControls, defaultsOf } from "./element/settings.js";
+    const startOf = (view, table) => {
+      const controls = completeControls(view, table, true);
+      const files = controls.filter(({ kind }) => kind === "file").map(({ name }) => name);
+      const starts = Object.entries(defaultsOf(view, controls, table));
+      return Object.fromEntries(starts.filter(([name]) => !files.includes(name)));
+    };
+    const all = (values, make) =>
+      Object.fromEntries(Object.entries(values).map(([name, value]) => [name, make(value)]));
+    const startsOf = ({ paper, table }) => all(paper.views, (view) => startOf(view, table));
+    export const starts = all(papers, startsOf);`;
+  const text = await bundle({ ...options, stdin: { ...options.stdin, contents } }, [oneLanguage(null)]);
+  const { starts } = await import(`data:text/javascript;base64,${Buffer.from(text).toString("base64")}`);
+  return starts;
+}
+
+/** What a notebook shows: one module with everything, and its style sheet. */
+async function forCell({ sources, data, papers }) {
+  const stdin = { resolveDir: sources, sourcefile: "widget.js" };
+  const options = { stdin, alias: { data }, loader: { ".csv": "text" }, format: "esm" };
+  const contents = `${collected(papers)}
+    import { widget } from "./jupyter/widget.js";
+    export default widget(papers);`;
+  const entry = { ...options, stdin: { ...stdin, contents } };
+  const files = {
+    "widget.js": await bundle(entry, [oneLanguage(null)]),
+    "widget.css": await bundle({ entryPoints: [path.join(sources, "jupyter", "cell.css")] }, []),
+    "starts.json": JSON.stringify(await startsOf(papers, options)),
+  };
+  const views = {};
+  for (const paper of Object.keys(papers)) {
+    views[paper] = await viewsOf(sources, paper);
+  }
+  return { files, views };
+}
+
+/** What a page of the book loads. */
+async function forPage({ sources, data, language, papers }) {
   const words = oneLanguage(language);
   const core = path.join(sources, "core");
   const files = {
@@ -206,7 +255,13 @@ async function main() {
     const options = { stdin, alias: { data }, loader: { ".csv": "text" } }; // for import "data/nile.csv"
     files[`${paper}.js`] = await bundle(options, [fromTheCore(sources), words]);
   }
-  process.stdout.write(JSON.stringify({ files, views }));
+  return { files, views };
+}
+
+async function main() {
+  const question = JSON.parse(readFileSync(0, "utf8"));
+  const make = question.host === "cell" ? forCell : forPage;
+  process.stdout.write(JSON.stringify(await make(question)));
 }
 
 /** The sentence that stands behind esbuild's own message: one of ours, or a place and what is wrong there. */

@@ -6,7 +6,11 @@ because a browser refuses ES modules from file://. Every folder in book/explorer
 the paper of the same name, and its ranges and words come from the Params of that paper. bundle.mjs
 does the bundling and leaves out the words of the other language.
 
-`python book/_ext/explorers.py FOLDER LANGUAGE` writes the files into FOLDER and does nothing else.
+The same explorers are the widgets of the notebooks: one ES module with all papers in both
+languages, which belongs to the package (kalman_lib/live/bundle, made, not stored in Git).
+
+`python book/_ext/explorers.py` makes what the notebooks need; with FOLDER LANGUAGE it writes the
+files of a page into FOLDER.
 """
 
 import importlib
@@ -23,6 +27,7 @@ import offline
 SOURCES = offline.BOOK / "explorers"
 DATA = offline.BOOK.parent / "notebooks" / "data"
 FOLDER = "vendor/explorers"
+FOR_NOTEBOOKS = offline.BOOK.parent / "kalman_lib" / "live" / "bundle"
 ELEMENT = re.compile(r"<kalman-explorer\b([^>]*)>")
 
 
@@ -56,11 +61,20 @@ def table(name, language):
     }
 
 
-def bundle(target, language, sources=SOURCES):
+def bundle(target, language, sources=SOURCES, host="page"):
     """Write scripts and style sheet of one language (None: with both) into a folder ->
-    {paper: its views}."""
+    {paper: its views}.
+
+    host: "page" of the book, or "cell" of a notebook.
+    """
     papers = {name: table(name, language) for name in paper_names(sources)}
-    question = {"sources": str(sources), "data": str(DATA), "language": language, "papers": papers}
+    question = {
+        "host": host,
+        "sources": str(sources),
+        "data": str(DATA),
+        "language": language,
+        "papers": papers,
+    }
     program = Path(__file__).with_name("bundle.mjs")
     made = subprocess.run(
         [str(offline.node_binary()), str(program)],
@@ -74,6 +88,14 @@ def bundle(target, language, sources=SOURCES):
     for name, text in answer["files"].items():
         offline.write_if_new(target / name, text.encode())
     return answer["views"]
+
+
+def for_notebooks(target=FOR_NOTEBOOKS):
+    """Write what kalman_lib.explorer shows in a notebook: a module, its styles, its starts."""
+    try:
+        return bundle(target, None, host="cell")
+    except Mistake as mistake:
+        sys.exit(str(mistake))
 
 
 def check():
@@ -92,6 +114,8 @@ def bundle_for(app, config):
     folder = Path(app.doctreedir).parent / "explorers"
     try:
         app.explorer_views = bundle(folder / FOLDER, config.language)
+        if not FOR_NOTEBOOKS.exists():  # the notebooks run soon; book/build.py has made it before
+            bundle(FOR_NOTEBOOKS, None, host="cell")
     except Mistake as mistake:
         raise ExtensionError(str(mistake)) from mistake
     config.html_static_path.append(str(folder))
@@ -142,4 +166,7 @@ def setup(app):
 if __name__ == "__main__":
     offline.install()
     check()
-    bundle(Path(sys.argv[1]), sys.argv[2])
+    if sys.argv[1:]:
+        bundle(Path(sys.argv[1]), sys.argv[2])
+    else:
+        for_notebooks()

@@ -6,7 +6,7 @@ import re
 
 from places import ROOT
 
-NOT_SOURCES = {"node_modules", "vendor", "__pycache__", ".ipynb_checkpoints"}
+NOT_SOURCES = {"node_modules", "vendor", "bundle", "__pycache__", ".ipynb_checkpoints"}
 MAKERS = (  # whatever makes the pages
     "book/_ext",
     "book/_locale",

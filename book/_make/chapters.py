@@ -3,15 +3,15 @@
 import multiprocessing
 import os
 import sys
+import time
 from concurrent.futures import ProcessPoolExecutor
 
 import nbformat
 from jupyter_cache import get_cache
 from jupyter_cache.base import CacheBundleIn
-from jupyter_cache.executors.utils import single_nb_execution
+from nbclient.exceptions import CellExecutionError
 from places import CACHE, ROOT
-
-TIMEOUT = 300  # s
+from running import run
 
 
 def execute_notebooks():
@@ -41,11 +41,12 @@ def is_cached(path, cache):
 def execute(path):
     """Run one notebook -> (the notebook with its outputs, seconds, None), or (None, 0, error)."""
     notebook = code_of(path)
-    folder = str(path.parent)
-    result = single_nb_execution(notebook, cwd=folder, timeout=TIMEOUT, allow_errors=False)
-    if result.err is not None:
-        return None, 0, result.exc_string
-    return notebook, result.time, None
+    started = time.monotonic()
+    try:
+        run(notebook, path.parent)
+    except CellExecutionError as error:
+        return None, 0, str(error)
+    return notebook, time.monotonic() - started, None
 
 
 def code_of(path):

@@ -14,7 +14,7 @@ heights are in inches.
 
 from .attitude import craft
 from .curves import bell, curve, gaussians, intervals
-from .figure import Figure, live
+from .figure import Figure
 from .over_time import consistency, panels, series
 from .planes import contours, covariance_ellipse, ellipses, plane, poles, surface
 from .styles import (
@@ -57,7 +57,6 @@ __all__ = [
     "ellipses",
     "gaussians",
     "intervals",
-    "live",
     "panels",
     "plane",
     "poles",

@@ -1,6 +1,7 @@
 """A figure in the book's style: how the functions of this room begin and end one."""
 
 import io
+import sys
 from contextlib import contextmanager
 
 import numpy as np
@@ -9,7 +10,6 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure as MatplotlibFigure
 from PIL import Image
 
-from ..sketch import Sketch
 from .styles import STYLE
 
 WIDTH = 4.8  # inches
@@ -27,6 +27,7 @@ class Figure(MatplotlibFigure):
         """The bytes of a PNG file with at most 96 colours."""
         with style.context(STYLE):
             self.set_dpi(dpi)
+            self.draw_without_rendering()  # the layout first: it decides how many ticks there are
             self.canvas.draw()
         image = Image.fromarray(np.asarray(self.canvas.buffer_rgba())).convert("RGB")
         buffer = io.BytesIO()
@@ -35,30 +36,23 @@ class Figure(MatplotlibFigure):
         return buffer.getvalue()
 
 
-_quick = False  # are figures drawn as quick sketches?
+def print_ours_ourselves():
+    """Our figures print themselves in a notebook.
+
+    Otherwise pyplot, and with it `interact`, would print every figure of matplotlib its own way.
+    """
+    ipython = sys.modules.get("IPython")
+    shell = ipython.get_ipython() if ipython else None
+    if shell is not None:
+        shell.display_formatter.formatters["image/png"].for_type(Figure, Figure._repr_png_)
 
 
-@contextmanager
-def live():
-    """Inside this block every function of this room that has one pair of axes, none of them
-    logarithmic, returns a Sketch."""
-    global _quick
-    before = _quick
-    _quick = True
-    try:
-        yield
-    finally:
-        _quick = before
+print_ours_ourselves()
 
 
 @contextmanager
 def new_figure(height, rows=1, columns=1, sharex=False, **names):
     """A figure and its axes, which get names and a legend at the end of the block."""
-    if _quick and names.get("xscale") != "log":
-        sketch = Sketch(height)
-        yield sketch, sketch.axes[0]
-        sketch.axes[0].set(**names)
-        return
     with style.context(STYLE):
         figure = Figure(figsize=(WIDTH, height))
         FigureCanvasAgg(figure)

@@ -1,7 +1,6 @@
 """Colours and lines of the figures: one look means one thing in every chapter."""
 
-from ..sketch import DARK, GREY, GRID, PAPER
-
+GREY, DARK, GRID, PAPER = "#6b7278", "#3a4147", "#e3dfd6", "#fdfcf9"
 INK = "#1d2327"
 BLUE, ORANGE, PURPLE, GREEN, BLACK = "#1f6fb4", "#c8641b", "#8a4fa3", "#3b7d3b", "#222222"
 

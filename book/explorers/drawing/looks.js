@@ -22,16 +22,17 @@ export const FONT = HERE.startsWith("http")
   : null;
 
 let colours = null; // what the style sheet says for the theme of the page
+let observer = null; // of the attribute data-theme
 const restyled = new Set(); // who draws again when colours or fonts have changed
 
-/** {estimate: "#1f6fb4", ..., grid, axis, words, font}: colours and font of the page at this moment. */
-export function coloursOfPage() {
-  colours ??= readColours();
+/** {estimate: "#1f6fb4", ..., grid, axis, words, font}: colours and font around the canvas at this moment. */
+export function coloursFor(canvas) {
+  colours ??= readColours(canvas);
   return colours;
 }
 
-function readColours() {
-  const style = getComputedStyle(document.documentElement);
+function readColours(canvas) {
+  const style = getComputedStyle(canvas);
   const names = [...Object.keys(LOOKS), "grid", "axis", "words"];
   const found = {};
   for (const name of names) {
@@ -48,11 +49,19 @@ function restyle() {
   }
 }
 
-/** Call `again` when the colours or the fonts of the page have changed. */
-export function onThemeChange(again) {
+/** Call `again` when the colours of `themed` or the fonts have changed; returns a function that ends it. */
+export function onThemeChange(themed, again) {
   restyled.add(again);
-  if (restyled.size === 1) {
-    new MutationObserver(restyle).observe(document.documentElement, { attributeFilter: ["data-theme"] });
+  if (!observer) {
+    observer = new MutationObserver(restyle);
+    observer.observe(themed, { attributeFilter: ["data-theme"] });
     document.fonts?.ready.then(restyle);
   }
+  return () => {
+    restyled.delete(again);
+    if (restyled.size === 0) {
+      observer.disconnect();
+      observer = null;
+    }
+  };
 }

@@ -59,8 +59,10 @@ function program(carry_out, methods, properties, font, font_wait) {
 // --- what runs in the page ---------------------------------------------------------------------------------
 
 let starting = null; // a promise of the thread
-let worker = null;
-let sheets = 0; // how many there are
+let thread = null; // as soon as it exists
+let worker = null; // the thread, when it is ready to paint
+let sheets = 0; // how many there have been
+let open = 0; // how many are in use
 let on_its_way = 0; // messages that the painter has not finished
 let queue = []; // pictures that this turn of the page has drawn
 const waiting = []; // {call, left}: who waits until only so many messages are on their way
@@ -77,7 +79,7 @@ function start(font) {
     setTimeout(done, THREAD_WAIT, null);
     try {
       const address = URL.createObjectURL(new Blob([programText(font)], { type: "text/javascript" }));
-      const thread = new Worker(address);
+      thread = new Worker(address);
       thread.onerror = () => done(null);
       thread.onmessage = ({ data }) => {
         if (data === "ready") {
@@ -104,10 +106,12 @@ function painted() {
 }
 
 /**
- * What to draw on, for a canvas: {ctx, resize(width, height), done()}. done() hands over what was drawn.
+ * What to draw on, for a canvas: {ctx, resize(width, height), done(), close()}. done() hands over what was
+ * drawn.
  * font: [family, address, more] of the page's font, or null.
  */
 export async function sheetFor(canvas, font) {
+  open++;
   worker = canvas.transferControlToOffscreen ? await start(font) : null;
   return worker ? paintedSheet(canvas) : ownSheet(canvas);
 }
@@ -115,7 +119,7 @@ export async function sheetFor(canvas, font) {
 /** The canvas itself. */
 function ownSheet(canvas) {
   const resize = (width, height) => Object.assign(canvas, { width, height });
-  return { ctx: canvas.getContext("2d"), resize, done() {} };
+  return { ctx: canvas.getContext("2d"), resize, done() {}, close };
 }
 
 /** A recorder whose strokes go to the painter, the first time together with the canvas. */
@@ -133,11 +137,31 @@ function paintedSheet(canvas) {
     }
     given = undefined;
   };
-  return { ctx, resize, done };
+  return { ctx, resize, done, close };
+}
+
+/** A sheet is not needed any more; the last one ends the thread. */
+function close() {
+  open--;
+  if (open > 0) {
+    return;
+  }
+  thread?.terminate();
+  thread = null;
+  worker = null;
+  starting = null;
+  on_its_way = 0;
+  queue = [];
+  for (const { call } of waiting.splice(0)) {
+    call();
+  }
 }
 
 /** Everything that one turn of the page has drawn goes as one message. */
 function send() {
+  if (queue.length === 0) {
+    return; // all sheets were closed meanwhile
+  }
   on_its_way++;
   const given_away = queue.flatMap(({ canvas, strokes }) =>
     canvas ? [canvas, strokes.buffer] : [strokes.buffer],

@@ -6,7 +6,7 @@
 // room is 5 kB.
 import { drawAxes, equal, inverseScaleOf, limits, scaleOf } from "./axes.js";
 import { drawLayer } from "./layers.js";
-import { FONT, LOOKS, coloursOfPage } from "./looks.js";
+import { FONT, LOOKS, coloursFor } from "./looks.js";
 import { label, make } from "./make.js";
 import { sheetFor } from "./painter.js";
 
@@ -28,11 +28,16 @@ export class Plot {
     const words = make("div", { className: "explorer-legend" }, title, this.keys);
     const className = `explorer-plot ${spec.half ? "half" : ""}`;
     this.element = make("div", { className }, words, this.canvas);
-    sheetFor(this.canvas, FONT).then((sheet) => {
+    this.coming = sheetFor(this.canvas, FONT).then((sheet) => {
       this.sheet = sheet;
       this.ctx = sheet.ctx;
       redraw();
     });
+  }
+
+  /** The plot leaves the page; its sheet is given back, also one that is still to come. */
+  destroy() {
+    this.coming.then(() => this.sheet.close());
   }
 
   /** The size of the canvas may have changed: ask for it before the next drawing. */
@@ -67,7 +72,7 @@ export class Plot {
     }
     const { ctx, spec, speaker, width } = this;
     const layers = drawing.layers.filter(Boolean);
-    const frame = { ...this.fit(drawing, layers), colours: coloursOfPage() };
+    const frame = { ...this.fit(drawing, layers), colours: coloursFor(this.canvas) };
     const { box } = frame;
     ctx.setTransform(this.scale, 0, 0, this.scale, 0, 0);
     ctx.clearRect(0, 0, width, this.height);

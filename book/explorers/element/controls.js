@@ -74,12 +74,12 @@ function makeEntry(explorer, control) {
   const box = make("input", {
     type: "text",
     id,
-    inputMode: "decimal",
+    inputMode: control.inputMode || "decimal",
     autocomplete: "off",
     className: "explorer-value",
   });
   const enter = () => {
-    explorer.change(control.enter(box.value, explorer.s));
+    explorer.change(control.enter(box.value, explorer.s, explorer.r));
     box.value = "";
   };
   box.addEventListener("keydown", (event) => {
@@ -109,20 +109,20 @@ function makeText(explorer, control) {
 
 function makeFile(explorer, control) {
   const id = `${explorer.id}-${control.name}`;
-  const box = make("input", { type: "file", id, accept: control.accept || "" });
-  const take = async (file) => {
-    if (file) {
-      const bytes = new Uint8Array(await file.arrayBuffer());
-      choose(explorer, control, { name: file.name, bytes });
+  const accept = control.accept || "";
+  const box = make("input", { type: "file", id, accept, multiple: Boolean(control.multiple) });
+  const take = async (files) => {
+    if (files.length > 0) {
+      choose(explorer, control, await readFiles(explorer, control, Array.from(files)));
     }
   };
-  box.addEventListener("change", () => take(box.files[0]));
+  box.addEventListener("change", () => safely(explorer, () => take(box.files)));
   const hint = make("span", { className: "explorer-hint", textContent: explorer.t.say(WORDS.drop) });
   const element = make("div", {}, nameOf(explorer, control, id), box, hint);
   element.addEventListener("dragover", (event) => event.preventDefault());
   element.addEventListener("drop", (event) => {
     event.preventDefault();
-    take(event.dataTransfer.files[0]);
+    safely(explorer, () => take(event.dataTransfer.files));
   });
   const show = () => {
     if (explorer.s[control.name] === null && box.value) {
@@ -130,6 +130,16 @@ function makeFile(explorer, control) {
     }
   };
   return { element, show };
+}
+
+/** What a file control puts into the state: the bytes, or what the kernel has read from them. */
+async function readFiles(explorer, control, files) {
+  const contents = files.map(async (file) => {
+    return { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
+  });
+  const loaded = await Promise.all(contents);
+  const isForKernel = control.reads && control.reads.test(loaded[0].name);
+  return isForKernel ? explorer.host.kernel.read(control.what, loaded, explorer.s) : loaded[0];
 }
 
 function makeButtons(explorer, control) {
@@ -173,6 +183,8 @@ async function press(explorer, item) {
   } else if (item.copy) {
     await copy(explorer, item.copy(r, s, t));
   } else if (item.save) {
-    saveFile(item.save(r, s, t));
+    const { kernel } = explorer.host;
+    const file = kernel && item.ask ? await kernel.write(item.ask(r, s, t)) : item.save(r, s, t);
+    saveFile(file);
   }
 }

@@ -48,7 +48,7 @@ function hold(grip, event) {
 
 function release(grip) {
   if (grip.held) {
-    grip.explorer.toAddress();
+    grip.explorer.settled();
   }
   grip.held = false;
   grip.pressed = null;

@@ -4,13 +4,13 @@ import { make, setLabel } from "../drawing/make.js";
 import { whenPainted } from "../drawing/painter.js";
 import { Plot } from "../drawing/plot.js";
 import { speaker } from "../language/speaker.js";
-import { linkTo, settingsToAddress, takeAddress } from "./address.js";
 import { makeControl } from "./controls.js";
 import { makeDraggable } from "./drag.js";
 import { fillEquations } from "./equations.js";
 import { HandCheck } from "./handcheck.js";
+import { page } from "./host.js";
 import { arrange } from "./layout.js";
-import { copy, tell } from "./messages.js";
+import { tell } from "./messages.js";
 import { completeControls, defaultsOf } from "./settings.js";
 import { fillTable } from "./tables.js";
 
@@ -22,30 +22,30 @@ const WORK_A_FRAME = 8; // ms of it in every frame after that
 let count = 0;
 
 export class Explorer {
-  /** table: the fields of the paper's Params; key: the name of this explorer in the address. */
-  constructor(element, key, table, view) {
+  /**
+   * table: the fields of the paper's Params; key: the name of this explorer in the address; host: what stands
+   * around it (host.js).
+   */
+  constructor(element, key, table, view, host = page()) {
     this.element = element;
     this.key = key;
     this.view = view;
-    this.t = speaker(document.documentElement.lang === "id" ? "id" : "en");
+    this.host = host;
+    this.t = speaker(host.language);
     this.id = `explorer-${key.replace(".", "-")}-${++count}`;
-    this.controls = completeControls(view, table);
-    this.defaults = defaultsOf(view, this.controls, table);
-    this.s = { ...this.defaults }; // the state: what the reader has set
+    this.controls = completeControls(view, table, host.kernel !== null);
+    this.defaults = { ...defaultsOf(view, this.controls, table), ...host.start };
+    this.s = { ...this.defaults, ...host.state }; // the state: what the reader has set
     this.tween = {}; // numbers of the state that are on their way
     this.memo = {}; // what the paper keeps from one calculation to the next
     this.touched = false; // has the reader changed anything?
     this.dragging = false;
     this.playing = null; // the control that moves by itself
     this.worded = 0; // when the words were last written
+    this.ended = false; // has it left the page?
     this.build();
-    takeAddress(this);
+    host.enter(this);
     this.render();
-    addEventListener("hashchange", () => {
-      if (takeAddress(this)) {
-        this.schedule();
-      }
-    });
   }
 
   build() {
@@ -78,8 +78,13 @@ export class Explorer {
     tell(this, null);
     this.schedule();
     if (!dragging) {
-      this.toAddress();
+      this.settled();
     }
+  }
+
+  /** The reader has let go. */
+  settled() {
+    this.host.settled(this);
   }
 
   reset() {
@@ -90,7 +95,7 @@ export class Explorer {
   stopPlaying() {
     this.playing = null;
     this.showControls();
-    this.toAddress();
+    this.settled();
   }
 
   /**
@@ -142,6 +147,7 @@ export class Explorer {
     }
     this.draw();
     this.words(!this.dragging);
+    this.host.drawn(this);
     this.element.dispatchEvent(new CustomEvent("explorer-drawn", { detail: performance.now() - start }));
     this.continue();
     clearTimeout(this.pause);
@@ -164,7 +170,7 @@ export class Explorer {
     }
     const goOn = () => {
       this.later = 0;
-      if (this.frame) {
+      if (this.frame || this.ended) {
         return; // the reader is faster: render() starts anew
       }
       this.refine(performance.now() + WORK_A_FRAME);
@@ -231,7 +237,7 @@ export class Explorer {
   drawAgain() {
     this.redrawing ||= requestAnimationFrame(() => {
       this.redrawing = 0;
-      if (this.r) {
+      if (this.r && !this.ended) {
         this.draw(true);
         this.words(true);
       }
@@ -268,14 +274,27 @@ export class Explorer {
     }
   }
 
-  // --- the address -----------------------------------------------------------------------------------------
+  // --- the end ---------------------------------------------------------------------------------------------
 
-  toAddress() {
-    settingsToAddress(this);
-  }
-
-  async copyLink() {
-    this.toAddress();
-    await copy(this, linkTo(this.key));
+  /** The explorer leaves the page, and nothing of it stays: no timer, no listener, no thread. */
+  destroy() {
+    this.ended = true;
+    this.playing = null;
+    this.moving = null;
+    this.work = null;
+    for (const frame of [this.frame, this.later, this.redrawing]) {
+      cancelAnimationFrame(frame);
+    }
+    this.frame = 0;
+    [this.pause, this.unsaid].forEach(clearTimeout);
+    this.resizes.disconnect();
+    this.sights.disconnect();
+    this.forgetTheme();
+    for (const plot of this.plots) {
+      plot.destroy();
+    }
+    this.host.leave();
+    this.section.remove();
+    this.element.classList.remove("live");
   }
 }

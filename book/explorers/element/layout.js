@@ -41,7 +41,7 @@ export function arrange(explorer) {
   enter(explorer);
   watchSize(explorer, first);
   watchSight(explorer);
-  onThemeChange(() => explorer.drawAgain());
+  explorer.forgetTheme = onThemeChange(explorer.host.themed, () => explorer.drawAgain());
 }
 
 function figures(name, plots) {
@@ -75,7 +75,9 @@ function buttons(explorer) {
     );
   }
   row.append(makeButton(explorer, t.say(WORDS.reset), () => explorer.reset()));
-  row.append(makeButton(explorer, t.say(WORDS.link), () => explorer.copyLink()));
+  if (explorer.host.link) {
+    row.append(makeButton(explorer, t.say(WORDS.link), () => explorer.host.link(explorer)));
+  }
   return row;
 }
 
@@ -94,11 +96,6 @@ function numbersBelow(explorer) {
 function enter({ element, section }) {
   element.append(section);
   element.classList.add("live");
-  let around = element.parentElement;
-  while (around && around !== document.body) {
-    around.classList.add("explorer-around");
-    around = around.parentElement;
-  }
   for (const image of element.querySelectorAll("img")) {
     image.loading = "eager"; // hidden, yet ready to be printed
   }

@@ -21,6 +21,10 @@ export function makeSlider(explorer, control) {
   };
   let seen;
   const show = () => {
+    if (control.end) {
+      control.max = control.end(explorer.s, explorer.r);
+      range.max = control.max;
+    }
     const value = valueOf(control, explorer.s);
     const disabled = Boolean(control.disabled?.(explorer.s));
     place();
@@ -73,7 +77,7 @@ function rangeInput(explorer, control, id, { min, max, step, valueAt }) {
   range.addEventListener("input", () => {
     explorer.change({ [control.name]: valueAt(Number(range.value)) }, true);
   });
-  range.addEventListener("change", () => explorer.toAddress());
+  range.addEventListener("change", () => explorer.settled());
   return range;
 }
 

@@ -35,6 +35,17 @@ export function readFile(name, bytes, decimal = null) {
   return readText(text, decimal);
 }
 
+/**
+ * What a reader brought, a text or a file; a workbook comes as a table already, which the kernel of a
+ * notebook has read.
+ */
+export function readBrought({ text, file }, decimal = null) {
+  if (!file) {
+    return readText(text, decimal);
+  }
+  return file.table ?? readFile(file.name, file.bytes, decimal);
+}
+
 export function tooLong(rows, limit) {
   return new InputError({
     en: `${rows} rows are too many; the limit is ${limit}.`,

@@ -5,6 +5,9 @@ import { COMPASS, PANEL_ALT, PANEL_TITLES } from "./words.js";
 
 const EVERYWHERE = 1e4; // pixels: beyond the canvas
 
+/** What the thin lines are called: the truth, or the angles that the device itself gives. */
+const TRUTH = { truth: "x_true", device: "x_ref" };
+
 /** A size with two decimals, or one where it is ten or more. */
 export function size(value, t) {
   return t.decimal(Number(value.toFixed(Math.abs(value) < 10 ? 2 : 1)), 6);
@@ -33,7 +36,7 @@ export function panel(i) {
             : { look: "band", paint: paintDynamic(flight.t, result.dynamic), label: named("m R") },
           { look: "measurement", x: t, y: z, label: named("z") },
           { look: "estimate", x: t, y: x, label: named("x") },
-          { look: "truth", x: t, y: truth, label: named("x_true") },
+          flight.reference && { look: "truth", x: t, y: truth, label: named(TRUTH[flight.reference]) },
           { look: "quiet", at: flight.t[k] },
         ],
       };
@@ -115,7 +118,11 @@ export function craft({ flight, result, k }, s, t) {
     layers: [
       { look: "quiet", paint: surroundings },
       { look: "estimate", paint: paintCraft(estimate, times), label: "x" },
-      { look: "truth", paint: paintCraft(truth, times), label: "x_true" },
+      flight.reference && {
+        look: "truth",
+        paint: paintCraft(truth, times),
+        label: TRUTH[flight.reference],
+      },
     ],
   };
 }

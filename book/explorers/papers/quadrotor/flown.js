@@ -6,23 +6,50 @@ import { simulate } from "./flight.js";
 import { DEG, wrap } from "./model.js";
 import { mean, rmse_deg } from "./statistics.js";
 
-const SKIP = 20; // of the flight every twentieth sample is drawn, 0.4 s: about one for a pixel
+const DRAWN = 315; // samples: of the flight every twentieth, 0.4 s, about one for a pixel
 
+/** The synthetic flight, or the recording that the kernel of a notebook has read. */
 export function compute(s, memo) {
-  const sensor_key = `${s.seed} ${s.gyr} ${s.acc} ${s.mag}`;
-  const method_key = `${s.method} ${s.m} ${s.q} ${s.window} ${s.threshold}`;
-  const flight = kept(memo, "flight", s.seed, () => simulate(s, generator(s.seed)));
-  const sensors = kept(memo, "sensors", sensor_key, () => sensorsInUse(flight, s));
-  const shown = kept(memo, "shown", `${sensor_key} ${method_key}`, () => filtered(flight, sensors, s, memo));
-  return { ...shown, k: Math.min(Math.round(s.moment / s.dt), flight.T - 1) };
+  const source = s.recording ?? s.seed;
+  const flight = kept(memo, "flight", [source], () => flightOf(s));
+  const sensors = kept(memo, "sensors", [flight, s.gyr, s.acc, s.mag], () => sensorsInUse(flight, s));
+  const method = [s.method, s.m, s.q, s.window, s.threshold];
+  const shown = kept(memo, "shown", [sensors, ...method], () => filtered(flight, sensors, s, memo));
+  return { ...shown, k: stepAt(flight, s) };
 }
 
-/** What memo holds under this name, made anew only when its key has changed. */
+/** What memo holds under this name, made anew only when its key, a list, has changed. */
 function kept(memo, name, key, make) {
-  if (memo[name]?.key !== key) {
+  if (!memo[name]?.key.every((value, i) => value === key[i])) {
     memo[name] = { key, value: make() };
   }
   return memo[name].value;
+}
+
+/** {T, t, gyr, acc, mag, truth, rest_s, reference: "truth", "device" or null}. */
+function flightOf(s) {
+  const { recording } = s;
+  if (!recording) {
+    return { ...simulate(s, generator(s.seed)), reference: "truth" };
+  }
+  const nothing = new Float64Array(3 * recording.T).fill(NaN);
+  return {
+    ...recording,
+    mag: recording.mag ?? nothing,
+    truth: recording.truth ?? nothing,
+    reference: recording.truth ? "device" : null,
+  };
+}
+
+/** The step of the moment that is drawn. */
+function stepAt({ T, t }, s) {
+  if (!s.recording) {
+    return Math.min(Math.round(s.moment / s.dt), T - 1);
+  }
+  return Math.max(
+    0,
+    t.findLastIndex((time) => time <= s.moment),
+  );
 }
 
 /** The recording as the filter gets it: a gyroscope that is switched off says 0, another sensor nothing. */
@@ -42,9 +69,12 @@ function methodOf(s) {
 }
 
 function filtered(flight, sensors, s, memo) {
-  memo.filter ??= {};
   const how = methodOf(s);
-  const result = attitude(sensors, how, memo.filter);
+  const result = attitude(
+    sensors,
+    how,
+    kept(memo, "filter", [flight], () => ({})),
+  );
   const { angles } = result;
   for (let at = 0; at < angles.length; at++) {
     angles[at] = wrap(angles[at]);
@@ -69,28 +99,28 @@ function measuresOf(truth, { angles, z }) {
   };
 }
 
-/** What the panels draw, in degrees: {t, panels: [{x, z, truth}, ...]}, every twentieth sample. */
+/** What the panels draw, in degrees: {t, panels: [{x, z, truth}, ...]}, some of the samples. */
 function linesOf({ T, t, truth }, { angles, z }, memo) {
-  const count = Math.ceil(T / SKIP);
+  const skip = Math.max(1, Math.round(T / DRAWN));
+  const count = Math.ceil(T / skip);
   const empty = () => new Float64Array(count);
-  memo.lines ??= {
+  const lines = kept(memo, "lines", [count], () => ({
     t: empty(),
     panels: [0, 1, 2].map(() => ({ x: empty(), z: empty(), truth: empty() })),
-  };
-  const { lines } = memo;
+  }));
   for (let j = 0; j < count; j++) {
-    lines.t[j] = t[j * SKIP];
+    lines.t[j] = t[j * skip];
   }
-  lines.panels.forEach((panel, i) => fillPanel(panel, i, truth, angles, z));
+  lines.panels.forEach((panel, i) => fillPanel(panel, i, skip, { truth, angles, z }));
   return lines;
 }
 
 /** Estimate and truth without a jump where they go round, the measurement beside the estimate. */
-function fillPanel(panel, i, truth, angles, z) {
+function fillPanel(panel, i, skip, { truth, angles, z }) {
   let actual = truth[i];
-  let estimate = actual + wrap(angles[i] - actual);
+  let estimate = Number.isNaN(actual) ? angles[i] : actual + wrap(angles[i] - actual);
   for (let j = 0; j < panel.x.length; j++) {
-    const at = 3 * SKIP * j + i;
+    const at = 3 * skip * j + i;
     actual += wrap(truth[at] - actual);
     estimate += wrap(angles[at] - estimate);
     panel.x[j] = estimate / DEG;

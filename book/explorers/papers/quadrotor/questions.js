@@ -26,12 +26,10 @@ export function question(r, s, t, random) {
     ax: t.decimal(rest.ax),
     az: t.decimal(rest.az),
   };
-  const questions = [
-    aboutGain({ ...variances, m }),
-    aboutInnovation(yaw),
-    aboutError(means),
-    aboutTilt(rest),
-  ];
+  const questions = [aboutGain({ ...variances, m }), aboutInnovation(yaw), aboutTilt(rest)];
+  if (r.flight.reference === "truth") {
+    questions.splice(2, 0, aboutError(means));
+  }
   return ask(questions[random.whole(questions.length)], given, t);
 }
 

@@ -7,13 +7,18 @@ import { question } from "./questions.js";
 import { CONTROLS, CRAFT, FACTS, NAME, OUTCOME } from "./words.js";
 
 const STEEP = 75; // degrees: beyond, Euler angles fail
+const LONGEST = 126; // s, the synthetic flight
 const TABLE_STEP = 25; // samples: half a second
 
 // --- words and numbers -------------------------------------------------------------------------------------
 
 function outcome(r, s, t) {
-  const sentences = [rmseSentence(r, t), paradox(r, t)];
-  if (!s.mag) {
+  const { reference, mag, note } = r.flight;
+  const sentences = [s.recording ? t.say(note) : "", rmseSentence(r, t)];
+  if (reference === "truth") {
+    sentences.push(paradox(r, t));
+  }
+  if (!s.mag || (s.recording && Number.isNaN(mag[0]))) {
     sentences.push(t.say(s.gyr ? OUTCOME.no_mag : OUTCOME.no_turn));
   }
   if (r.how.kept) {
@@ -23,13 +28,19 @@ function outcome(r, s, t) {
   if (steepest > STEEP) {
     sentences.push(t.say(OUTCOME.steep, { steep: size(steepest, t) }));
   }
-  sentences.push(t.say(OUTCOME.made, { seed: String(s.seed) }));
+  if (!s.recording) {
+    sentences.push(t.say(OUTCOME.made, { seed: String(s.seed) }));
+  }
   return sentences.filter(Boolean).join(" ");
 }
 
 function rmseSentence(r, t) {
+  const { reference } = r.flight;
+  if (!reference) {
+    return t.say(OUTCOME.nothing);
+  }
   const { rmse, rmse_z } = r.measures();
-  const values = {};
+  const values = { reference: t.say(OUTCOME[reference]) };
   AXES.forEach((axis, i) => {
     values[axis] = size(rmse[i], t);
     values[`z_${axis}`] = size(rmse_z[i], t);
@@ -129,7 +140,28 @@ const controls = [
       ["literal", CONTROLS.literal],
     ],
   },
-  { name: "moment", symbol: "t", unit: "s", min: 0, max: 126, step: 0.1, default: 60, ...CONTROLS.moment },
+  {
+    kind: "file",
+    name: "recording",
+    multiple: true,
+    accept: ".csv,.zip,.txt,.xlsx",
+    ...CONTROLS.recording,
+    needsKernel: true,
+    reads: /./,
+    what: "recording",
+  },
+  { kind: "buttons", items: [{ ...CONTROLS.back, set: { recording: null } }], visible: (s) => s.recording },
+  {
+    name: "moment",
+    symbol: "t",
+    unit: "s",
+    min: 0,
+    max: LONGEST,
+    step: 0.1,
+    default: 60,
+    end: (s, r) => (s.recording && r ? r.flight.t[r.flight.T - 1] : LONGEST),
+    ...CONTROLS.moment,
+  },
   {
     kind: "buttons",
     items: [{ play: "moment", seconds: 40, ...CONTROLS.fly }, mButton(0.16), mButton(1), mButton(10)],

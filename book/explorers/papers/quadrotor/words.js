@@ -9,11 +9,17 @@ export const OUTCOME = {
   },
   rmse: {
     id:
-      "RMSE terhadap sudut sebenarnya: roll {roll}°, pitch {pitch}°, yaw {yaw}°; " +
+      "RMSE terhadap {reference}: roll {roll}°, pitch {pitch}°, yaw {yaw}°; " +
       "sensor saja {z_roll}°, {z_pitch}°, {z_yaw}°.",
     en:
-      "RMSE against the true angles: roll {roll}°, pitch {pitch}°, yaw {yaw}°; " +
+      "RMSE against {reference}: roll {roll}°, pitch {pitch}°, yaw {yaw}°; " +
       "the sensors alone {z_roll}°, {z_pitch}°, {z_yaw}°.",
+  },
+  truth: { id: "sudut sebenarnya", en: "the true angles" },
+  device: { id: "sudut dari alat itu sendiri", en: "the device's own angles" },
+  nothing: {
+    id: "Rekaman ini tidak memuat sudut pembanding.",
+    en: "This recording holds no reference angles.",
   },
   lies: {
     id:
@@ -57,6 +63,11 @@ export const CONTROLS = {
   paper: { id: "makalah, dibetulkan", en: "the paper, corrected" },
   adaptive: { id: "adaptif", en: "adaptive" },
   literal: { id: "persis seperti tercetak", en: "to the letter of the paper" },
+  recording: {
+    id: "Rekaman sendiri (CSV, ZIP, atau Excel; tetap di komputer ini)",
+    en: "A recording of my own (CSV, ZIP or Excel; it stays on this computer)",
+  },
+  back: { id: "Kembali ke penerbangan sintetis", en: "Back to the synthetic flight" },
   moment: { id: "saat yang digambar", en: "the moment that is drawn" },
   fly: { id: "Terbangkan", en: "Fly" },
   gyr: { id: "giroskop dipakai", en: "gyroscope in use" },

@@ -1,5 +1,5 @@
 // The data of chapter 4: the synthetic towing run, or what the reader pasted or opened.
-import { readFile, readText } from "../../files/table.js";
+import { readBrought } from "../../files/table.js";
 import { InputError } from "../../language/input.js";
 import { inBoth } from "../../language/speaker.js";
 import { generator } from "../../numerics/random.js";
@@ -20,7 +20,8 @@ export function isOwn(s) {
  */
 export function load(s, memo) {
   const from = sourceOf(s, memo);
-  const key = from === null ? [s.seed, s.sigma] : [s.text, s.sign, s.time_unit, s.speed_unit];
+  const choices = [s.text, s.sign, s.time, s.speed, s.time_unit, s.speed_unit];
+  const key = from === null ? [s.seed, s.sigma] : choices;
   const isSame = memo.from === from && memo.key?.every((value, i) => value === key[i]);
   if (!isSame) {
     const data = from === null ? synthetic(s) : brought(from, s);
@@ -62,9 +63,24 @@ function synthetic({ seed, sigma }) {
 }
 
 function brought(from, s) {
-  const sign = SIGNS[s.sign] ?? null; // null: find out
-  const table = from === "text" ? readText(s.text, sign) : readFile(from.name, from.bytes, sign);
-  return recording(table, s);
+  return recording(tableFrom(from, s), s);
+}
+
+let last = { key: [], table: null }; // what was read last: the choice of columns needs it before it is used
+
+function tableFrom(from, { text, sign }) {
+  const key = [from, from === "text" ? text : null, sign];
+  if (!key.every((value, i) => value === last.key[i])) {
+    const source = from === "text" ? { text } : { file: from };
+    last = { key, table: readBrought(source, SIGNS[sign] ?? null) }; // null: find out
+  }
+  return last.table;
+}
+
+/** The columns that the reader may choose from. */
+export function columnNames(s) {
+  const hasRead = last.key[0] === s.file || (last.key[0] === "text" && last.key[1] === s.text);
+  return isOwn(s) && hasRead ? [...last.table.columns.keys()] : [];
 }
 
 /** Two columns of a table in the units that the reader chose: {t, z, truth: null, note}. */
@@ -72,7 +88,12 @@ function recording({ columns, lines, note }, s) {
   if (columns.size < 2) {
     throw new InputError(RECORDING.one_column);
   }
-  const [time, speed] = columns.values();
+  if (s.time === s.speed) {
+    throw new InputError(RECORDING.same);
+  }
+  const all = [...columns.values()];
+  const time = all[s.time] ?? all[0];
+  const speed = all[s.speed] ?? all[1];
   const t = time.map((value) => value * TIME_UNITS[s.time_unit]);
   const z = speed.map((value) => value * SPEED_UNITS[s.speed_unit]);
   const sampled = sampling(t);

@@ -10,6 +10,10 @@ export const RECORDING = {
     id: "Diperlukan dua kolom bilangan, waktu dan kecepatan; hanya satu yang ditemukan.",
     en: "Two columns of numbers are needed, time and speed; only one was found.",
   },
+  same: {
+    id: "Waktu dan kecepatan harus dua kolom yang berbeda.",
+    en: "Time and speed must be two different columns.",
+  },
   too_fast: {
     id: "Baris {line}: kecepatan {z} m/s terlalu besar, batasnya {most} m/s.",
     en: "Line {line}: a speed of {z} m/s is too large, the limit is {most} m/s.",
@@ -63,6 +67,9 @@ export const CONTROLS = {
   },
   placeholder: { id: "0,0\t0,12\n0,1\t0,15", en: "0.0\t0.12\n0.1\t0.15" },
   file: { id: "atau buka berkas CSV", en: "or open a CSV file" },
+  file_for_kernel: { id: "atau buka berkas CSV atau Excel", en: "or open a CSV or Excel file" },
+  time: { id: "Kolom waktu", en: "Time column" },
+  speed: { id: "Kolom kecepatan", en: "Speed column" },
   time_unit: { id: "Satuan waktu", en: "Unit of time" },
   speed_unit: { id: "Satuan kecepatan", en: "Unit of speed" },
   km_h: { id: "km/jam", en: "km/h" },

@@ -1,6 +1,6 @@
 // Where the numbers of chapter 2 come from: the paper, three synthetic look-alikes, the Nile, or the reader.
 import nile from "data/nile.csv";
-import { readFile, readText } from "../../files/table.js";
+import { readBrought, readText } from "../../files/table.js";
 import { generator } from "../../numerics/random.js";
 import { LOOK_ALIKES, MEASURED, look_alike } from "./model.js";
 import { MEASURED_NAME, NO_DATA_YET, SOURCES } from "./words.js";
@@ -68,7 +68,7 @@ function dataOf(s) {
 
 function ownData({ file, text, sign: chosen_sign, column }) {
   const sign = chosen_sign === "auto" ? null : chosen_sign;
-  const table = file ? readFile(file.name, file.bytes, sign) : readText(text, sign);
+  const table = readBrought({ text, file }, sign);
   const names = [...table.columns.keys()];
   const name = names[column] ?? names[0];
   return { z: table.columns.get(name), names, name: { id: name, en: name }, note: table.note };

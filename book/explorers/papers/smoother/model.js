@@ -174,6 +174,13 @@ function shiftCost(x, reference, shift, most) {
 // --- where Q and R come from -------------------------------------------------------------------------------
 
 /** Log-likelihood of z for Q and R; the first known value only starts the filter (x = z, P = R). */
+/** The variance R of the measurement noise, from a stretch of z (T) in which the truth stays as it is. */
+export function R_from_steady(z) {
+  const known = z.filter((value) => !Number.isNaN(value));
+  const mean = known.reduce((sum, value) => sum + value, 0) / known.length;
+  return known.reduce((sum, value) => sum + (value - mean) ** 2, 0) / (known.length - 1);
+}
+
 export function log_likelihood(z, Q, R) {
   const first = z.findIndex((value) => !Number.isNaN(value));
   let x = z[first];

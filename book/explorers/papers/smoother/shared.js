@@ -1,5 +1,5 @@
 // What both explorers of chapter 2 show: the gain, the standard deviation, and the numbers as a table.
-import { DEVIATION, GAIN, LABELS, LINES } from "./words.js";
+import { DEVIATION, GAIN, LABELS, LINES, TEXT_HEAD } from "./words.js";
 
 const TABLE_ROWS = 500;
 
@@ -51,14 +51,25 @@ export function rivals(r) {
 
 export function numbers(r, s, t) {
   const { x_pred, P_pred, y, K, x, P } = r.result;
+  const columns = { z: r.z, x_pred, P_pred, y, K, x, P };
+  return tableOf("k", columns, r, s, t);
+}
+
+/** The table of the paper's form, No / Measured / Filtered, and what stands behind it. */
+export function formTable(r, s, t) {
+  const { x_pred, P_pred, y, K, x, P } = r.result;
+  const names = [TEXT_HEAD.measured, TEXT_HEAD.filtered].map((words) => t.say(words));
+  const columns = { [names[0]]: r.z, [names[1]]: x, x_pred, P_pred, y, K, P };
+  return tableOf("No", columns, r, s, t);
+}
+
+/** Numbers with six digits, for every step one row; the rivals come last. */
+function tableOf(number_name, columns, r, s, t) {
   const others = rivals(r);
-  const columns = [r.z, x_pred, P_pred, y, K, x, P, ...others.map(([, line]) => line)];
-  const row = (k) => [String(k + 1), ...columns.map((column) => t.decimal(column[k], 6))];
+  const values = [...Object.values(columns), ...others.map(([, line]) => line)];
+  const row = (k) => [String(k + 1), ...values.map((column) => t.decimal(column[k], 6))];
   const names = others.map(([name]) => t.say(labelOf(name, s)));
-  return {
-    head: ["k", "z", "x_pred", "P_pred", "y", "K", "x", "P", ...names],
-    rows: shortened(r.z.length, row),
-  };
+  return { head: [number_name, ...Object.keys(columns), ...names], rows: shortened(r.z.length, row) };
 }
 
 /** The beginning and the end of a long table, with a row of dots between them. */

@@ -40,8 +40,14 @@ function saveWorkbook(r, s, t) {
   return { name: "kalman.xlsx", type: XLSX, content };
 }
 
+/** What a kernel is asked for instead: the same workbook, with its chart and its notes. */
+function askForWorkbook(r, s, t) {
+  const { Q, R, x0, P0 } = s;
+  return { write: "workbook", name: t.say(r.data.name), Q, R, x0, P0, arrays: { z: r.z } };
+}
+
 export const buttons = [
   { ...CONTROLS.copy, copy },
   { ...CONTROLS.csv, save: saveCsv },
-  { ...CONTROLS.excel, save: saveWorkbook },
+  { ...CONTROLS.excel, save: saveWorkbook, ask: askForWorkbook },
 ];

@@ -1,7 +1,9 @@
 // The first explorer of chapter 2: the paper's form, with data of the reader's own.
+import { InputError } from "../../language/input.js";
+import { inBoth } from "../../language/speaker.js";
 import { rmse } from "../../numerics/metrics.js";
 import { PAPER, isOwn, load, settingsFor } from "./data.js";
-import { LOOK_ALIKES, equal_window, exponential, lag, maximum_likelihood } from "./model.js";
+import { LOOK_ALIKES, R_from_steady, equal_window, exponential, lag, maximum_likelihood } from "./model.js";
 import { moving_average, roughness, run, smoothed, steady_gain } from "./model.js";
 import { question } from "./questions.js";
 import {
@@ -10,14 +12,15 @@ import {
   counted,
   drawDeviation,
   drawGain,
+  formTable,
   labelOf,
   nameOf,
-  numbers,
 } from "./shared.js";
 import { buttons } from "./take.js";
-import { CONTROLS, FACTS, MEASUREMENTS, NAMES, OUTCOME, SOURCES } from "./words.js";
+import { CONTROLS, FACTS, MEASUREMENTS, NAMES, OUTCOME, SOURCES, STRETCH } from "./words.js";
 
 const LIKELIHOOD_POINTS = 5000; // so many values tell Q and R well enough
+const LONGEST_QUOTE = 40; // letters of what was typed in a message
 const LEAST_VARIANCE = 1e-12; // the range of Params
 const LARGEST_VARIANCE = 1e6;
 
@@ -67,6 +70,7 @@ function drawMeasurements(r, s) {
       { look: "measurement", x: r.k, y: r.z, label: "z" },
       r.truth && { look: "truth", x: r.k, y: r.truth, label: "x_true" },
       ...lines,
+      ...(s.stretch ?? []).map((at) => ({ look: "quiet", at })),
     ],
   };
 }
@@ -106,11 +110,28 @@ function facts(r, s, t) {
 
 /** The most likely Q and R; the likelihood starts at the first value, so the filter does, too. */
 function mostLikely(s, r) {
-  const [Q, R] = maximum_likelihood(r.z.subarray(0, LIKELIHOOD_POINTS)).map((variance) => {
-    return Number(Math.min(Math.max(variance, LEAST_VARIANCE), LARGEST_VARIANCE).toPrecision(6));
-  });
+  const [Q, R] = maximum_likelihood(r.z.subarray(0, LIKELIHOOD_POINTS)).map(asSetting);
   const first = r.z.find((value) => !Number.isNaN(value));
   return { Q, R, x0: first, P0: R, likely: [Q, R] };
+}
+
+/** A variance that was found, as the fields can hold it. */
+function asSetting(variance) {
+  return Number(Math.min(Math.max(variance, LEAST_VARIANCE), LARGEST_VARIANCE).toPrecision(6));
+}
+
+/** "5-16": R as the variance of these values, in which nothing but noise should move. */
+function stretchOf(text, s, r) {
+  const found = /^\s*(\d+)\s*[-–—\u2212\s]\s*(\d+)\s*$/.exec(text);
+  if (!found) {
+    throw new InputError(inBoth(STRETCH.unclear, { text: text.trim().slice(0, LONGEST_QUOTE) }));
+  }
+  const stretch = [Number(found[1]), Number(found[2])];
+  const values = r.z.subarray(stretch[0] - 1, stretch[1]);
+  if (values.filter((value) => !Number.isNaN(value)).length < 2) {
+    throw new InputError(STRETCH.too_short);
+  }
+  return { R: asSetting(R_from_steady(values)), stretch };
 }
 
 const signs = [
@@ -152,10 +173,23 @@ const controls = [
     name: "file",
     ...CONTROLS.file,
     accept: ".csv,.txt,.tsv",
+    withKernel: {
+      ...CONTROLS.file_for_kernel,
+      accept: ".csv,.txt,.tsv,.xlsx",
+      reads: /\.xlsx$/i,
+      what: "table",
+    },
     also: () => ({ source: "own", text: null, column: 0 }),
   },
   { kind: "select", name: "sign", default: "auto", ...CONTROLS.sign, visible: isOwn, options: signs },
   columnChoice,
+  {
+    kind: "entry",
+    ...CONTROLS.stretch,
+    inputMode: "text",
+    button: CONTROLS.take_R,
+    enter: stretchOf,
+  },
   { name: "Q", symbol: "Q" },
   { name: "R", symbol: "R" },
   { name: "P0", symbol: "P_0" },
@@ -169,7 +203,7 @@ const controls = [
 
 export const form = {
   name: NAMES.form,
-  start: PAPER,
+  start: { ...PAPER, likely: null, stretch: null },
   controls,
   compute,
   refine,
@@ -180,6 +214,6 @@ export const form = {
   ],
   outcome,
   facts,
-  numbers,
+  numbers: formTable,
   question,
 };

@@ -65,6 +65,17 @@ export const FACTS = {
   behind_smooth: { id: "Lambat dari RTS (sampel)", en: "Lag behind RTS (samples)" },
 };
 
+export const STRETCH = {
+  unclear: {
+    id: "“{text}” bukan rentang: tuliskan nomor pertama dan terakhirnya, misalnya 5-16.",
+    en: "“{text}” is no stretch: type its first and its last number, such as 5-16.",
+  },
+  too_short: {
+    id: "Rentang itu berisi kurang dari dua nilai.",
+    en: "That stretch holds fewer than two values.",
+  },
+};
+
 export const TEXT_HEAD = {
   measured: { id: "Terukur", en: "Measured" },
   filtered: { id: "Hasil filter", en: "Filtered" },
@@ -78,6 +89,7 @@ export const CONTROLS = {
   },
   placeholder: { id: "Suhu\n25,1\n25,3", en: "Temperature\n25.1\n25.3" },
   file: { id: "atau pilih berkas CSV", en: "or choose a CSV file" },
+  file_for_kernel: { id: "atau pilih berkas CSV atau Excel", en: "or choose a CSV or Excel file" },
   sign: { id: "Tanda desimal", en: "Decimal sign" },
   find_out: { id: "kenali sendiri", en: "find out" },
   comma: { id: "koma (1,5)", en: "comma (1,5)" },
@@ -89,6 +101,8 @@ export const CONTROLS = {
   },
   rts: { id: "penghalus maju-mundur (RTS)", en: "forward-backward smoother (RTS)" },
   noise: { id: "Derau baru", en: "New noise" },
+  stretch: { id: "Rentang tunak (No), misalnya 5-16", en: "Steady stretch (No), such as 5-16" },
+  take_R: { id: "R dari rentang ini", en: "R from this stretch" },
   likely: { id: "Q dan R paling mungkin", en: "Most likely Q and R" },
   copy: { id: "Salin hasilnya", en: "Copy the result" },
   csv: { id: "Unduh CSV", en: "Download CSV" },

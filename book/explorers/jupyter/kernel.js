@@ -1,0 +1,79 @@
+// What the kernel does for an explorer: it reads the reader's workbooks and recordings, and writes a workbook
+// with chart and notes. Twin of kalman_lib/live/files.py, which answers.
+import { safely } from "../element/messages.js";
+import { InputError } from "../language/input.js";
+
+/** {read(what, files, s), write(question), keepReading(explorer), leave()} for an anywidget's model. */
+export function kernelOf(model) {
+  const { ask, leave } = questions(model);
+  const read = async (what, files, { sign }) => {
+    const names = files.map(({ name }) => name);
+    const bytes = files.map((file) => file.bytes.slice().buffer);
+    const answer = await ask({ read: what, names, sign: sign ?? null }, bytes);
+    return { ...READERS[what](answer), name: names[0], files, sign };
+  };
+  const write = async ({ arrays, ...question }) => {
+    const names = Object.keys(arrays);
+    const answer = await ask({ ...question, arrays: names }, Object.values(arrays).map(ownBytes));
+    return { name: answer.name, type: answer.type, content: answer.buffers[0] };
+  };
+
+  /** A workbook is read again when the reader chooses another decimal sign for it. */
+  const keepReading = (explorer) => {
+    const { file, sign } = explorer.s;
+    if (file?.table && file.sign !== sign) {
+      file.sign = sign;
+      const put = (again) => explorer.s.file === file && explorer.change({ file: again });
+      safely(explorer, () => read("table", file.files, explorer.s).then(put));
+    }
+  };
+  return { read, write, keepReading, leave };
+}
+
+/** {ask(question, buffers) -> a promise of the answer, leave()}. */
+function questions(model) {
+  const waiting = new Map(); // number of a question -> {done, fail}
+  const hear = (answer, buffers) => {
+    const asked = waiting.get(answer.number);
+    waiting.delete(answer.number);
+    if (answer.error) {
+      asked?.fail(new InputError(answer.error));
+    } else {
+      asked?.done({ ...answer, buffers });
+    }
+  };
+  model.on("msg:custom", hear);
+  const ask = (question, buffers) => {
+    return new Promise((done, fail) => {
+      const number = Math.random(); // the element may be shown twice, and both hear every answer
+      waiting.set(number, { done, fail });
+      model.send({ ...question, number }, undefined, buffers);
+    });
+  };
+  return { ask, leave: () => model.off("msg:custom", hear) };
+}
+
+const READERS = { table: tableOf, recording: recordingOf };
+
+/** As files/table.js gives it. */
+function tableOf({ columns, lines, note, buffers }) {
+  const values = columns.map((name, i) => [name, numbersOf(buffers[i])]);
+  return { table: { columns: new Map(values), lines, note } };
+}
+
+/** {rest_s, note, T, t, gyr, acc, mag, truth}: Float64Arrays, all but t with three columns; null: missing. */
+function recordingOf({ arrays, rest_s, note, buffers }) {
+  const found = { mag: null, truth: null };
+  arrays.forEach((name, i) => {
+    found[name] = numbersOf(buffers[i]);
+  });
+  return { ...found, rest_s, note, T: found.t.length };
+}
+
+function numbersOf({ buffer, byteOffset, byteLength }) {
+  return new Float64Array(buffer.slice(byteOffset, byteOffset + byteLength));
+}
+
+function ownBytes(numbers) {
+  return Float64Array.from(numbers).buffer;
+}

@@ -1,0 +1,1 @@
+"""What explorer.py needs beside its widget: still pictures, the reader's files, the bundle."""

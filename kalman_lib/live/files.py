@@ -1,0 +1,86 @@
+"""What the kernel does for an explorer: it reads workbooks and recordings, and writes workbooks.
+
+Twin of book/explorers/jupyter/kernel.js, which asks. Arrays travel as buffers of float64.
+"""
+
+import io
+
+import numpy as np
+
+from ..data import InputError, read_file, read_recording, rest_seconds, write_workbook
+
+DECIMAL = {
+    "comma": ",",
+    "point": ".",
+    ",": ",",
+    ".": ".",
+}  # what the explorers call the decimal signs
+XLSX = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"
+NO_REST = InputError(
+    "This recording does not begin at rest. Let the phone lie still for a few seconds, then start.",
+    "Rekaman ini tidak diawali keadaan diam. "
+    "Letakkan ponsel diam selama beberapa detik, lalu mulai.",
+)
+
+
+def answer(question, buffers):
+    """The answer to a question of the explorer: (message, buffers).
+
+    A mistake of the reader's is the message {"error": {id, en}}.
+    """
+    contents = [bytes(buffer) for buffer in buffers]
+    try:
+        if question.get("write") == "workbook":
+            return written(question, contents)
+        files = dict(zip(question["names"], contents))
+        if question["read"] == "recording":
+            return recording(files)
+        return table(files, DECIMAL.get(question["sign"]))
+    except InputError as error:
+        return {"error": {"id": error.id, "en": error.en}}, []
+    except Exception as error:  # the reader must see it, too
+        return {"error": {"id": str(error) or repr(error), "en": str(error) or repr(error)}}, []
+
+
+def table(files, decimal):
+    """The columns of a workbook."""
+    ((name, content),) = files.items()
+    found = read_file(name, content, decimal)
+    message = {
+        "columns": list(found.columns),
+        "lines": found.lines.tolist(),
+        "note": {"id": found.note_id, "en": found.note_en},
+    }
+    return message, [as_buffer(column) for column in found.columns.values()]
+
+
+def recording(files):
+    """The sensors of a phone's recording; the device's own angles, if any, stand for the truth."""
+    found = read_recording(files)
+    rest_s = rest_seconds(found)
+    if not rest_s:
+        raise NO_REST
+    arrays = {
+        "t": found.t,
+        "gyr": found.gyr,
+        "acc": found.acc,
+        "mag": found.mag,
+        "truth": found.reference,
+    }
+    known = {name: values for name, values in arrays.items() if values is not None}
+    note = {language: " ".join(note[language] for note in found.notes) for language in ("id", "en")}
+    message = {"arrays": list(known), "rest_s": rest_s, "note": note}
+    return message, [as_buffer(values) for values in known.values()]
+
+
+def written(question, contents):
+    """The workbook with live formulas, chart and notes, for the measurements and their settings."""
+    z = np.frombuffer(contents[question["arrays"].index("z")])
+    book = io.BytesIO()
+    settings = {name: question[name] for name in ("Q", "R", "x0", "P0")}
+    write_workbook(book, z, **settings, name=question["name"])
+    return {"name": "kalman.xlsx", "type": XLSX}, [book.getvalue()]
+
+
+def as_buffer(values):
+    return np.ascontiguousarray(values, dtype=float).tobytes()

@@ -1,0 +1,132 @@
+"""The still picture of every explorer: for paper, the stored notebook, a page without a script."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from .. import plots
+from ..fast import kalman_filter
+from ..filters import predict, update
+from ..papers import beetle, gyro, quadrotor, ship, smoother, theory
+
+SEED = 2  # of every synthetic measurement, as in book/explorers/element/settings.js
+BELIEVED = np.linspace(-1, 1, 31)  # powers of ten between what the filter believes and the truth
+LEVELS = (1.1, 1.3, 1.6, 2, 2.5, 3)  # of RMSE divided by the best
+
+
+def picture(paper, view, p):
+    """The figure of one view for the Params p; None if there is none."""
+    draw = PICTURES.get((paper, view))
+    return draw(p, np.random.default_rng(SEED)) if draw else None
+
+
+def theory_steps(p, rng):
+    """Prediction and update of the first step."""
+    model = theory.model(p)
+    before = predict(model, model.x0, model.P0, np.array([p.u]))
+    after = update(model, before.x_pred, before.P_pred, np.array([p.z]))
+    beliefs = {
+        r"$x_{\mathrm{pred},1}$": (before.x_pred, before.P_pred, plots.PREDICTION),
+        "$x_{1}$": (after.x, after.P, plots.ESTIMATE),
+    }
+    return plots.ellipses(beliefs, z=p.z, R=p.R)
+
+
+def smoother_form(p, rng):
+    """The paper's 16 values, filtered, beside a moving average."""
+    z = smoother.MEASURED
+    x = kalman_filter(smoother.model(p), z).x[:, 0]
+    average = smoother.moving_average(z, p.window)
+    return plots.series(np.arange(1, len(z) + 1), z, x, rivals={f"MA({p.window})": average})
+
+
+def smoother_online(p, rng):
+    """The first hour of a synthetic stream."""
+    z = smoother.silkworm_room(rng).z[:60, 0]
+    result = kalman_filter(smoother.model(p), z)
+    return plots.series(np.arange(1, len(z) + 1), z, result.x[:, 0], np.sqrt(result.P[:, 0, 0]))
+
+
+def gyro_flight(p, rng):
+    """Angle and errors of the paper's simulation."""
+    flight = gyro.simulate(p, rng)
+    result = kalman_filter(gyro.model(p), flight.z, flight.u)
+    return plots.panels(gyro.layout(p, flight, result), xlabel="$t$ (s)", height=1.9)
+
+
+def gyro_mismatch(p, rng):
+    """RMSE of every pair of sigmas that the filter may believe, over that of the true ones."""
+    times = 10**BELIEVED
+    table, _ = gyro.expected(p, times * p.sigma_w, times[:, np.newaxis] * p.sigma_v)
+    truth = np.log10([p.sigma_w, p.sigma_v])
+    return plots.contours(
+        BELIEVED + truth[0],
+        BELIEVED + truth[1],
+        table / table[15, 15],
+        r"$\log_{10} \sigma_w$",
+        r"$\log_{10} \sigma_v$",
+        LEVELS,
+        {r"$\sigma$": truth},
+        height=3.4,
+    )
+
+
+def ship_run(p, rng):
+    """The synthetic towing run with the model that was fitted to it."""
+    t, run = ship.towing_run(rng)
+    z = run.z[:, 0]
+    fitted = ship.fitted(z, replace(p, Q_copy=p.Q))
+    result = kalman_filter(ship.model(fitted), z, u=np.ones(len(z)))
+    return plots.series(
+        t,
+        z,
+        result.x[:, 0],
+        np.sqrt(result.P[:, 0, 0]),
+        truth=run.x[:, 0],
+        xlabel="$t$ (s)",
+        ylabel="m/s",
+    )
+
+
+def beetle_walk(p, rng):
+    """The distance over 20 s."""
+    walk = beetle.simulate(p, rng, round(20 / p.dt))
+    result = kalman_filter(beetle.model(p), walk.z)
+    t = p.dt * np.arange(1, len(walk.z) + 1)
+    return plots.series(
+        t,
+        walk.z[:, 0],
+        result.x[:, 0],
+        np.sqrt(result.P[:, 0, 0]),
+        walk.x[:, 0],
+        xlabel="$t$ (s)",
+        ylabel="cm",
+        names={"x": "$d$", "truth": r"$d_{\mathrm{true}}$"},
+    )
+
+
+def quadrotor_flight(p, rng):
+    """Roll, pitch and yaw of the synthetic flight, in degrees; few samples make a quick picture."""
+    flight = quadrotor.simulate(replace(p, dt=0.1), rng)
+    result = quadrotor.attitude(*flight.sensors, quadrotor.METHODS["paper"])
+    rows = []
+    for i, axis in enumerate(quadrotor.AXES):
+        x = np.unwrap(result.angles[:, i])  # no jumps of the yaw
+        z, truth = (
+            np.degrees(x + quadrotor.wrap(part[:, i] - x)) for part in (result.z, flight.truth)
+        )
+        names = {"x": axis, "truth": f"{axis} (ref.)"}
+        rows.append(dict(t=flight.t, z=z, x=np.degrees(x), truth=truth, ylabel="°", names=names))
+    return plots.panels(rows, xlabel="$t$ (s)", height=1.5)
+
+
+PICTURES = {
+    ("theory", "steps"): theory_steps,
+    ("smoother", "form"): smoother_form,
+    ("smoother", "online"): smoother_online,
+    ("gyro", "flight"): gyro_flight,
+    ("gyro", "mismatch"): gyro_mismatch,
+    ("ship", "run"): ship_run,
+    ("beetle", "walk"): beetle_walk,
+    ("quadrotor", "flight"): quadrotor_flight,
+}
