@@ -71,6 +71,7 @@ class Explorer(anywidget.AnyWidget):
                 f"{paper!r} tidak punya tampilan {view!r}; yang ada {', '.join(views)}."
             )
         self.Params = importlib.import_module(f"{__package__}.papers.{paper}").Params
+        self.name_of_params = f"{__package__}.papers.{paper}.Params"
         self.is_first = view == next(iter(views))
         self.shown_in = None  # the run of a cell that has shown it
         language = language_of_notebook()
@@ -103,10 +104,8 @@ class Explorer(anywidget.AnyWidget):
 
     def _settings_of(self, p):
         if not isinstance(p, self.Params):
-            raise TypeError(
-                f"a {self.Params.__module__}.Params is needed, not {p!r} / "
-                f"diperlukan {self.Params.__module__}.Params, bukan {p!r}"
-            )
+            name = self.name_of_params
+            raise TypeError(f"a {name} is needed, not {p!r} / diperlukan {name}, bukan {p!r}")
         check(p)
         return asdict(p)
 
