@@ -27,10 +27,8 @@ ALLOWED = {
     "many": ({"models", "filters"}, NUMERICS),
     "fast": ({"checks", "models", "roots", "filters", "many"}, NUMERICS),
     "tuning": ({"checks", "models", "filters", "many", "fast", "numeric"}, WITH_SCIPY),
-    "montecarlo": ({"arguments", "blocks", "workers"}, NUMERICS),
-    "arguments": (set(), NUMERICS),
-    "blocks": ({"models", "fast"}, NUMERICS),
-    "workers": (set(), {"tqdm"}),  # only if it is there
+    "montecarlo": ({"studies"}, NUMERICS),
+    "studies": ({"models", "fast"}, NUMERICS | {"tqdm"}),  # tqdm only if it is there
     "__init__": (
         {"models", "metrics", "simulate", "filters", "fast", "tuning", "montecarlo"},
         set(),
