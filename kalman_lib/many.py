@@ -2,6 +2,7 @@
 
 What holds no data, P, S and K, is computed once. Read on in fast/runs.py for the same, sooner.
 """
+
 from dataclasses import fields, replace
 
 import numpy as np
@@ -11,33 +12,45 @@ from .models import LinearModel, at, subtract
 
 
 def filter_runs(model, z, u, adapt_R, gate):
-    """z (T, m, N): where all runs hear the same sensors, they share P, S and K, which hold no data."""
+    """The FilterResult of z (T, m, N), as kalman_filter describes it."""
     many_runs = getattr(model, "many_runs", False)
     linear = isinstance(model, LinearModel) and model.residual is subtract
     if not (linear or many_runs) or adapt_R or gate:
-        raise ValueError("z of shape (T, m, N) needs a LinearModel with the usual residual, and neither adapt_R nor "
-                         "gate; filter run by run. / z berukuran (T, m, N) memerlukan LinearModel dengan residu "
-                         "biasa, tanpa adapt_R dan gate; filterlah satu per satu.")
-    if many_runs:
-        return _stacked([kalman_filter(model, z[:, :, run], u) for run in range(z.shape[2])])
+        raise ValueError(
+            "z of shape (T, m, N) needs a LinearModel with the usual residual, and neither adapt_R "
+            "nor gate; filter run by run. / z berukuran (T, m, N) memerlukan LinearModel dengan "
+            "residu biasa, tanpa adapt_R dan gate; filterlah satu per satu."
+        )
     silent = np.isnan(z)
-    if (silent != silent[:, :, :1]).any():
+    if many_runs or (silent != silent[:, :, :1]).any():
         return _stacked([kalman_filter(model, z[:, :, run], u) for run in range(z.shape[2])])
-    shared = kalman_filter(model, np.where(silent[:, :, 0], np.nan, 0.0), u)
-    x_pred, x = (np.empty((len(z), len(model.x0), z.shape[2])) for _ in range(2))
+    return _sharing(model, z, u, silent[:, :, 0])
+
+
+def _sharing(model, z, u, silent):
+    """Runs that hear the same sensors, silent (T, m), share P, S and K, which hold no data."""
+    shared = kalman_filter(model, np.where(silent, np.nan, 0.0), u)
+    T, _, runs = z.shape
+    n = len(model.x0)
+    x_pred = np.empty((T, n, runs))
+    x = np.empty((T, n, runs))
     y = np.empty(z.shape)
-    x_k = np.repeat(model.x0[:, np.newaxis], z.shape[2], axis=1)
-    for k in range(len(z)):
+    x_k = np.repeat(model.x0[:, np.newaxis], runs, axis=1)
+    for k in range(T):
         Bu = 0 if u is None else at(model.B, k) @ u[k]
         x_pred[k] = shared.F[k] @ x_k + np.reshape(Bu, (-1, 1))
-        y[k] = z[k] - shared.H[k] @ x_pred[k] + shared.y[k][:, np.newaxis] * 0     # NaN where a sensor is silent
+        nothing = shared.y[k][:, np.newaxis] * 0  # NaN where a sensor is silent
+        y[k] = z[k] - shared.H[k] @ x_pred[k] + nothing
         x_k = x_pred[k] + shared.K[k] @ np.nan_to_num(y[k])
         x[k] = x_k
     return replace(shared, x_pred=x_pred, x=x, y=y, gated=np.zeros(z.shape, dtype=bool))
 
 
 def smooth_runs(result):
-    """rts_smooth of many runs, run by run: x (T, n, N) and P (T, n, n), or (T, n, n, N) where runs do not share it."""
+    """rts_smooth of many runs, run by run: x (T, n, N) and P (T, n, n).
+
+    P is (T, n, n, N) where the runs do not share it.
+    """
     each = [rts_smooth(run_of(result, run)) for run in range(result.x.shape[2])]
     x = np.stack([smooth.x for smooth in each], axis=-1)
     if result.P.ndim == 3:
@@ -59,7 +72,9 @@ def run_of(result, run):
 def _stacked(results):
     """Runs that differ in everything but the model: their arrays side by side, the runs last."""
     common = {name: getattr(results[0], name) for name in ("R", "Q", "start")}
-    if all(np.array_equal(r.F, results[0].F) and np.array_equal(r.H, results[0].H) for r in results):
-        common |= {"F": results[0].F, "H": results[0].H}
+    F, H = results[0].F, results[0].H
+    if all(np.array_equal(r.F, F) and np.array_equal(r.H, H) for r in results):
+        common |= {"F": F, "H": H}
     names = [field.name for field in fields(FilterResult) if field.name not in common]
-    return FilterResult(**common, **{name: np.stack([getattr(r, name) for r in results], axis=-1) for name in names})
+    own = {name: np.stack([getattr(r, name) for r in results], axis=-1) for name in names}
+    return FilterResult(**common, **own)

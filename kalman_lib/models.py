@@ -1,21 +1,34 @@
 """What the system does and what the sensors see: a linear model and a nonlinear one.
 
-Both answer the same two questions, so one filter loop serves both:
-``transition(x, u, k)`` gives f(x, u) and its matrix F; ``measure(x, u, k)`` gives h(x, u) and its matrix H,
-each at step k, counted from 0.
+Both answer the same two questions, so one filter loop serves both: ``transition(x, u, k)`` gives
+f(x, u) and its matrix F; ``measure(x, u, k)`` gives h(x, u) and its matrix H, each at step k,
+counted from 0.
 
 Letters (n states, m measurements, l inputs, T steps):
-x state (n,), F transition (n, n), B control (n, l), u input (l,), Q process-noise covariance (n, n),
-H measurement matrix (m, n), z measurement (m,), R measurement-noise covariance (m, m), P covariance of x (n, n).
+x state (n,), F transition (n, n), B control (n, l), u input (l,), Q process-noise covariance
+(n, n), H measurement matrix (m, n), z measurement (m,), R measurement-noise covariance (m, m),
+P covariance of x (n, n).
 """
-import inspect
+
 from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
-from .checks import check_covariance, check_finite, check_shape, matrix, numbers, shape_message
-from .roots import Covariance
+from .checks import (
+    check_callable,
+    check_finite,
+    check_shape,
+    matrix,
+    noise,
+    of_x_and_u,
+    returned,
+    shape_message,
+    shaped,
+    state,
+    steps_of,
+)
+from .frozen import freeze
 
 
 def subtract(z, z_pred):
@@ -27,14 +40,17 @@ def subtract(z, z_pred):
 class LinearModel:
     """x = F x + B u + w, z = H x + v, with w ~ N(0, Q) and v ~ N(0, R).
 
-    F (n, n), H (m, n), Q (n, n), R (m, m), B (n, l) or None: each fixed, or one per step, (T, ., .), where the
-    sampling is uneven or sensors come and go. x0 (n,), P0 (n, n) describe the moment before the first prediction.
-    residual(z, z_pred) -> (m,). A plain number stands for a 1 x 1 matrix, and (T,) for T of them.
-    An infinite variance in R says that the sensor tells nothing (at that step).
-    Units are yours: if x is in metres and seconds, Q and P0 hold their squares.
+    F (n, n), H (m, n), Q (n, n), R (m, m), B (n, l) or None: each fixed, or one per step,
+    (T, ., .), where the sampling is uneven or sensors come and go. x0 (n,), P0 (n, n) describe the
+    moment before the first prediction. residual(z, z_pred) -> (m,). A plain number stands for a
+    1 x 1 matrix, and (T,) for T of them. An infinite variance in R says that the sensor tells
+    nothing (at that step). Units are yours: if x is in metres and seconds, Q and P0 hold their
+    squares.
 
-    ValueError: a matrix whose shape does not fit the others, that holds NaN or infinity, or that is no covariance.
+    ValueError: a matrix whose shape does not fit the others, that holds NaN or infinity, or that is
+    no covariance.
     """
+
     F: np.ndarray
     H: np.ndarray
     Q: np.ndarray
@@ -45,9 +61,9 @@ class LinearModel:
     residual: Callable = subtract
 
     def __post_init__(self):
-        x0 = check_finite("x0", numbers("x0", self.x0, 1))
-        n = _size(x0)
-        _check_callable("residual", self.residual)
+        x0 = state("x0", self.x0)
+        n = len(x0)
+        check_callable("residual", self.residual)
         H = check_finite("H", matrix("H", self.H, columns=n))
         m = H.shape[-2]
         F = check_finite("F", matrix("F", self.F, rows=n, columns=n))
@@ -57,8 +73,8 @@ class LinearModel:
             raise ValueError(shape_message("H", H.shape, f"(m, {n})"))
         if B is not None and B.shape[-2] != n:
             raise ValueError(shape_message("B", B.shape, f"({n}, l)"))
-        Q, R, P0 = _noise(self, n, m)
-        _freeze(self, F=F, H=H, Q=Q, R=R, x0=x0, P0=P0, B=B)
+        Q, R, P0 = noise(self, n, m)
+        freeze(self, F=F, H=H, Q=Q, R=R, x0=x0, P0=P0, B=B)
         steps_of(self)
 
     def transition(self, x, u=None, k=0):
@@ -67,32 +83,35 @@ class LinearModel:
         if u is None:
             return F @ x, F
         if self.B is None:
-            raise ValueError("u is given, but the model has no B. / u diberikan, tetapi model tidak punya B.")
+            raise ValueError(
+                "u is given, but the model has no B. / u diberikan, tetapi model tidak punya B."
+            )
         B = at(self.B, k)
         if np.shape(u) != (B.shape[1],):
             raise ValueError(shape_message("u", np.shape(u), (B.shape[1],)))
         return F @ x + B @ u, F
 
     def measure(self, x, u=None, k=0):
-        """What the sensors would show without noise, H x (m,), and H (m, n) of step k. u does not matter."""
+        """What the sensors show without noise, H x (m,), and H (m, n) of step k, with any u."""
         H = at(self.H, k)
         return H @ x, H
 
 
 @dataclass(frozen=True, eq=False)
 class NonlinearModel:
-    """x = f(x, u) + w, z = h(x, u) + v, with w ~ N(0, Q) and v ~ N(0, R): for the extended Kalman filter.
+    """x = f(x, u) + w, z = h(x, u) + v, with w ~ N(0, Q), v ~ N(0, R): for the extended filter.
 
-    f(x, u) -> (n,), F(x, u) -> (n, n) its matrix of partial derivatives (Jacobian) by x; h(x, u) -> (m,),
-    H(x, u) -> (m, n) its Jacobian by x; for m = 1 also (n,). u is None where there is no input; a function that
-    needs none may take x alone.
-    Q, R, x0, P0 and residual as in LinearModel. `check_jacobians` compares F and H with f and h.
-    many_runs=True says that the functions also take many runs at once, x (n, runs): f and h then return (n, runs)
-    and (m, runs), and F and H rows of entries, each a number or (runs,).
+    f(x, u) -> (n,), F(x, u) -> (n, n) its matrix of partial derivatives (Jacobian) by x;
+    h(x, u) -> (m,), H(x, u) -> (m, n) its Jacobian by x; for m = 1 also (n,). u is None where there
+    is no input; a function that needs none may take x alone. Q, R, x0, P0 and residual as in
+    LinearModel. `check_jacobians` compares F and H with f and h.
+    many_runs=True says that the functions also take many runs at once, x (n, runs): f and h then
+    return (n, runs) and (m, runs), and F and H rows of entries, each a number or (runs,).
 
-    ValueError: as LinearModel. The shapes that f, F, h and H return are checked at every call, and so is that all
-    numbers are finite: the message names the function and the step.
+    ValueError: as LinearModel. The shapes that f, F, h and H return are checked at every call, and
+    so is that all numbers are finite: the message names the function and the step.
     """
+
     f: Callable
     F: Callable
     h: Callable
@@ -105,137 +124,50 @@ class NonlinearModel:
     many_runs: bool = False
 
     def __post_init__(self):
-        x0 = check_finite("x0", numbers("x0", self.x0, 1))
-        n = _size(x0)
-        _check_callable("residual", self.residual)
+        x0 = state("x0", self.x0)
+        check_callable("residual", self.residual)
         m = matrix("R", self.R).shape[-1] if np.ndim(self.R) > 1 else 1
-        Q, R, P0 = _noise(self, n, m)
-        _freeze(self, Q=Q, R=R, x0=x0, P0=P0)
+        Q, R, P0 = noise(self, len(x0), m)
+        freeze(self, Q=Q, R=R, x0=x0, P0=P0)
         steps_of(self)
         for name in ("f", "F", "h", "H"):
-            object.__setattr__(self, name, _of_x_and_u(name, getattr(self, name)))
+            object.__setattr__(self, name, of_x_and_u(name, getattr(self, name)))
         self._try_measure()
 
     def transition(self, x, u=None, k=0):
-        """The next state f(x, u) (n,) and the Jacobian F (n, n) at x; k is named where something is wrong."""
+        """The next state f(x, u) (n,) and the Jacobian F (n, n) at x; errors name the step k."""
         n = len(self.x0)
-        f = _result("f(x, u)", self.f(np.array(x), u), (n,), k)         # copies: f may work in place
-        F = _result("F(x, u)", self.F(np.array(x), u), (n, n), k)
+        f = returned("f(x, u)", self.f(np.array(x), u), (n,), k)  # copies: f may work in place
+        F = returned("F(x, u)", self.F(np.array(x), u), (n, n), k)
         return f, F
 
     def measure(self, x, u=None, k=0):
-        """What the sensors would show without noise, h(x, u) (m,), and the Jacobian H (m, n) at x."""
+        """What the sensors would show without noise, h(x, u) (m,), and the Jacobian H (m, n)."""
         n, m = len(self.x0), self.R.shape[-1]
-        h = _result("h(x, u)", self.h(np.array(x), u), (m,), k)
-        H = _result("H(x, u)", self.H(np.array(x), u), (m, n), k)
+        h = returned("h(x, u)", self.h(np.array(x), u), (m,), k)
+        H = returned("H(x, u)", self.H(np.array(x), u), (m, n), k)
         return h, H
 
     def _try_measure(self):
         """What h and H return is looked at early, if they can do without an input."""
         try:
-            h, H = self.h(np.array(self.x0), None), self.H(np.array(self.x0), None)
-        except Exception:                       # they need u, or do not like x0: checked at the first step
+            h = self.h(np.array(self.x0), None)
+            H = self.H(np.array(self.x0), None)
+        except Exception:  # they need u, or do not like x0: checked at the first step
             return
         n, m = len(self.x0), self.R.shape[-1]
-        _shaped("h(x, u)", h, (m,))
-        _shaped("H(x, u)", H, (m, n))
+        shaped("h(x, u)", h, (m,))
+        shaped("H(x, u)", H, (m, n))
 
 
 def at(M, k):
     """The matrix of step k: M (., .) is the same at every step, M (T, ., .) has one for each."""
     if M.ndim == 2:
         return M
-    if not 0 <= k < len(M):
-        raise ValueError(f"step {k}: the model has matrices for {len(M)} steps only, 0 to {len(M) - 1}. / "
-                         f"langkah {k}: model hanya punya matriks untuk {len(M)} langkah, 0 sampai {len(M) - 1}.")
+    T = len(M)
+    if not 0 <= k < T:
+        raise ValueError(
+            f"step {k}: the model has matrices for {T} steps only, 0 to {T - 1}. / "
+            f"langkah {k}: model hanya punya matriks untuk {T} langkah, 0 sampai {T - 1}."
+        )
     return M[k]
-
-
-def steps_of(model, T=None):
-    """For how many steps the model has matrices, None if all are fixed; ValueError unless they agree (and are T)."""
-    for name in ("F", "H", "Q", "R", "B"):
-        M = getattr(model, name, None)
-        if isinstance(M, np.ndarray) and M.ndim == 3:
-            if T is not None and len(M) != T:
-                raise ValueError(shape_message(name, M.shape, (T, *M.shape[1:])))
-            T = len(M)
-    return T
-
-
-def _noise(model, n, m):
-    """Q, R and P0 of the model, checked: Q and P0 (n, n) covariances, R (m, m) positive definite."""
-    Q = check_finite("Q", matrix("Q", model.Q, rows=n, columns=n))
-    R = matrix("R", model.R, rows=m, columns=m)
-    P0 = check_finite("P0", matrix("P0", model.P0, rows=n, columns=n, per_step=False))
-    for name, M, size in (("Q", Q, n), ("P0", P0, n), ("R", R, m)):
-        check_shape(name, M, (size, size))
-        check_covariance(name, M, definite=name == "R")
-    R = (R + R.swapaxes(-1, -2)) / 2
-    if Q.ndim == 3:
-        return np.array([Covariance.nearest(Q_k) for Q_k in Q]), R, Covariance.nearest(P0)
-    return Covariance.nearest(Q), R, Covariance.nearest(P0)
-
-
-def _size(x0):
-    """The number of states."""
-    if x0.ndim != 1 or len(x0) == 0:
-        raise ValueError(shape_message("x0", x0.shape, f"({max(len(x0), 1)},)"))
-    return len(x0)
-
-
-def _check_callable(name, function):
-    if not callable(function):
-        raise ValueError(f"{name} must be a function. / {name} harus berupa fungsi.")
-
-
-def _of_x_and_u(name, function):
-    """The function itself, to be called with (x, u); one that takes x alone, for it needs no input, is wrapped."""
-    if not callable(function):
-        raise ValueError(f"{name} must be a function of (x, u). / {name} harus berupa fungsi dari (x, u).")
-    try:
-        signature = inspect.signature(function)
-    except ValueError:                          # some built-in functions do not tell theirs
-        return function
-    names = list(signature.parameters)
-    if "u" in names and signature.parameters["u"].kind is inspect.Parameter.KEYWORD_ONLY:
-        return lambda x, u=None: function(x, u=u)
-    if len(names) > 1 and names[1] != "u" and signature.parameters[names[1]].default is not inspect.Parameter.empty:
-        names = []                              # a second parameter that has a value is no input
-    for arguments, wanted in ((2, function), (1, lambda x, u=None: function(x))):
-        try:
-            signature.bind(*range(arguments))
-            if arguments == 1 or names:
-                return wanted
-        except TypeError:
-            continue
-    raise ValueError(f"{name} must take two arguments, {name}(x, u); it takes {signature}. / "
-                     f"{name} harus menerima dua argumen, {name}(x, u), tetapi menerima {signature}.")
-
-
-def _result(name, value, expected, k):
-    """What a function of the nonlinear model returned at step k, as a finite array of the expected shape."""
-    array = _shaped(name, value, expected)
-    if not np.isfinite(array).all():
-        entry = np.argwhere(~np.isfinite(array))[0].tolist()
-        where, value = f"{name}{entry}", array[tuple(entry)]
-        raise ValueError(f"{where} is {value} at step {k} (counted from 0); expected a finite number. / "
-                         f"{where} bernilai {value} pada langkah {k} (dihitung dari 0); seharusnya bilangan berhingga.")
-    return array
-
-
-def _shaped(name, value, expected):
-    """The value as an array of the expected shape; a row alone or a number alone will do where there is one."""
-    array = numbers(name, value)
-    if array.ndim < 2 and array.size == np.prod(expected) and 1 in expected:
-        array = array.reshape(expected)
-    if array.shape != expected:
-        raise ValueError(shape_message(name, array.shape, expected))
-    return array
-
-
-def _freeze(model, **arrays):
-    """Put the checked arrays into the frozen dataclass, read-only."""
-    for name, array in arrays.items():
-        if array is not None:
-            array.setflags(write=False)
-        object.__setattr__(model, name, array)

@@ -6,22 +6,38 @@ for no executor, for one process, two, or a cluster, in whatever order the block
 also if a worker dies and its block is computed again. That holds for one kind of processor and the
 same versions of the libraries: others may round the last digit in another way.
 
-blocks.py is what a worker does, workers.py who does it, arguments.py what is refused.
+In studies/ stands what a worker does, who does it, and what is refused.
 """
+
 import copy
 import importlib
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from .arguments import check_axes, check_call, check_kind, check_params, check_rng, check_same
-from .blocks import filter_runs, mismatch_row, monte_carlo_block, simulate_runs
-from .workers import do
+from .studies.arguments import (
+    check_axes,
+    check_call,
+    check_kind,
+    check_params,
+    check_rng,
+    check_same,
+)
+from .studies.blocks import filter_runs, mismatch_row, monte_carlo_block, simulate_runs
+from .studies.workers import do
 
-__all__ = ["BLOCK", "MismatchMap", "MonteCarlo", "Study", "filter_runs", "mismatch_map",
-           "monte_carlo", "simulate_runs"]
+__all__ = [
+    "BLOCK",
+    "MismatchMap",
+    "MonteCarlo",
+    "Study",
+    "filter_runs",
+    "mismatch_map",
+    "monte_carlo",
+    "simulate_runs",
+]
 
-BLOCK = 500             # runs that share a seed; another number gives other noise
+BLOCK = 500  # runs that share a seed; another number gives other noise
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,6 +51,7 @@ class Study:
     seed     SeedSequence whose next children are the seeds of the blocks
     blocks   number of a block -> what its worker answered
     """
+
     paper: str
     params: object
     assumed: object
@@ -42,7 +59,7 @@ class Study:
     seed: np.random.SeedSequence
     blocks: dict = field(repr=False)
 
-    rows = 1            # how many blocks have the same runs
+    rows = 1  # how many blocks have the same runs
 
     @property
     def sizes(self):
@@ -68,8 +85,10 @@ class Study:
     def collect(self, name):
         """What all finished blocks say about `name`, in the order of the blocks."""
         if not self.blocks:
-            raise ValueError("No block of this study is finished yet: go on with resume=. / "
-                             "Belum ada blok studi ini yang selesai: lanjutkan dengan resume=.")
+            raise ValueError(
+                "No block of this study is finished yet: go on with resume=. / "
+                "Belum ada blok studi ini yang selesai: lanjutkan dengan resume=."
+            )
         return [self.blocks[i][name] for i in sorted(self.blocks)]
 
 
@@ -108,8 +127,10 @@ class MonteCarlo(Study):
         return [self.assumed]
 
     def tasks(self):
-        return [(monte_carlo_block, self.paper, self.params, self.assumed, size, seed)
-                for size, seed in zip(self.sizes, self.seeds())]
+        return [
+            (monte_carlo_block, self.paper, self.params, self.assumed, size, seed)
+            for size, seed in zip(self.sizes, self.seeds())
+        ]
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,14 +170,20 @@ class MismatchMap(Study):
     def assumptions(self):
         """Every Params that the filter believes in, row by row."""
         (row_name, rows), (column_name, columns) = self.assumed.items()
-        return [replace(self.params, **{row_name: row, column_name: column})
-                for row in rows.tolist() for column in columns.tolist()]
+        return [
+            replace(self.params, **{row_name: row, column_name: column})
+            for row in rows.tolist()
+            for column in columns.tolist()
+        ]
 
     def tasks(self):
         believed, columns = self.assumptions(), self.shape[1]
-        rows = [believed[i:i + columns] for i in range(0, len(believed), columns)]
-        return [(mismatch_row, self.paper, self.params, row, size, seed)
-                for size, seed in zip(self.sizes, self.seeds()) for row in rows]
+        rows = [believed[i : i + columns] for i in range(0, len(believed), columns)]
+        return [
+            (mismatch_row, self.paper, self.params, row, size, seed)
+            for size, seed in zip(self.sizes, self.seeds())
+            for row in rows
+        ]
 
 
 def monte_carlo(paper, params, runs, rng=None, executor=None, assumed=None, resume=None):
@@ -212,13 +239,13 @@ def _begin(kind, paper, params, assumed, runs, rng, resume):
     study = kind(paper.__name__, params, assumed, int(runs), _twin(parent), {})
     if resume is not None:
         check_same(resume, study)
-    for believed in study.assumptions():        # what the model refuses is told before any work
+    for believed in study.assumptions():  # what the model refuses is told before any work
         paper.model(believed)
     if resume is None:
-        parent.spawn(len(study.sizes))          # so the next study from this rng has other seeds
+        parent.spawn(len(study.sizes))  # so the next study from this rng has other seeds
         return study
     for number, block in resume.blocks.items():
-        if block["runs"] == study.size(number):         # the last one may have been smaller
+        if block["runs"] == study.size(number):  # the last one may have been smaller
             study.blocks[number] = block
     return study
 

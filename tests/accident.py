@@ -4,6 +4,7 @@ The paper is the gyroscope of chapter 3. The accident happens only while the fil
 it does not depend on who computes the block, or when. Without the file the numbers are those of any
 other study.
 """
+
 import os
 import signal
 import sys
@@ -18,7 +19,7 @@ from kalman_lib.papers import gyro
 
 PARAMS = gyro.Params(duration=5)
 ASSUMED = {"sigma_w": [5, 10], "sigma_v": [1, 10, 100]}
-RUNS = 1200                     # three blocks, the last of 200
+RUNS = 1200  # three blocks, the last of 200
 MANY = 8 * montecarlo.BLOCK
 THIS = sys.modules[__name__]
 
@@ -62,7 +63,7 @@ def press():
 
 
 def wait(flag):
-    """Keeps a worker busy: tells with a file that it has begun, and waits as long as flag exists."""
+    """Keep a worker busy: tell with a file that it has begun, and wait as long as flag exists."""
     Path(f"{flag}.begun").touch()
     while Path(flag).exists():
         time.sleep(0.01)
@@ -70,12 +71,13 @@ def wait(flag):
 
 # --- the paper -----------------------------------------------------------------------------------
 
+
 @dataclass(frozen=True)
 class Params:
     sigma_w: float = 10
     sigma_v: float = 10
-    happens: str = "nothing"    # a name of ACCIDENTS
-    block: int = 0              # in the block of this number, or in all if it is negative
+    happens: str = "nothing"  # a name of ACCIDENTS
+    block: int = 0  # in the block of this number, or in all if it is negative
     flag: str = ""
 
 
@@ -118,5 +120,11 @@ def _press_in_a_worker(p):
     raise KeyboardInterrupt
 
 
-ACCIDENTS = {"nothing": lambda p: None, "die": _die, "fail": _fail, "fail once": _fail_once,
-             "Ctrl+C": _press, "Ctrl+C in a worker": _press_in_a_worker}
+ACCIDENTS = {
+    "nothing": lambda p: None,
+    "die": _die,
+    "fail": _fail,
+    "fail once": _fail_once,
+    "Ctrl+C": _press,
+    "Ctrl+C in a worker": _press_in_a_worker,
+}

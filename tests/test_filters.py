@@ -1,38 +1,28 @@
 """The filter and the smoother against mathematics and against two other libraries."""
+
 import numpy as np
 import pytest
 from filterpy.kalman import KalmanFilter
+from filters_helpers import close, random_model
 from scipy.linalg import solve_discrete_are
 from statsmodels.tsa.statespace.mlemodel import MLEModel
 
-from kalman_lib import LinearModel, NonlinearModel, kalman_filter, predict, rts_smooth, smooth_runs, update
+from kalman_lib import (
+    LinearModel,
+    NonlinearModel,
+    kalman_filter,
+    predict,
+    rts_smooth,
+    update,
+)
 from kalman_lib.simulate import simulate
 
 
-def covariance(rng, size):
-    A = rng.normal(size=(size, size))
-    return A @ A.T + 0.1 * np.eye(size)
-
-
-def random_model(rng, n=None, m=None, l=0):
-    n, m = n or rng.integers(1, 5), m or rng.integers(1, 4)
-    F = rng.normal(size=(n, n))
-    F /= max(1, np.abs(np.linalg.eigvals(F)).max() / 0.98)
-    return LinearModel(F=F, H=rng.normal(size=(m, n)), Q=covariance(rng, n), R=covariance(rng, m),
-                       x0=rng.normal(size=n), P0=covariance(rng, n), B=rng.normal(size=(n, l)) if l else None)
-
-
-def close(a, b, tolerance=1e-9):
-    """Equal relative to the largest entry."""
-    a, b = np.asarray(a), np.asarray(b)
-    assert a.shape == b.shape
-    assert np.abs(a - b).max() <= tolerance * max(1e-300, np.abs(b).max())
-
-
 def dense_posterior(model, z, u):
-    """Mean and covariance of all states given all measurements, from one big joint Gaussian: no recursion.
+    """Mean and covariance of all states given all of z, from one big joint Gaussian: no recursion.
 
-    The states are one linear map of (x0, w_1 .. w_T); conditioning that Gaussian on z is the textbook formula.
+    The states are one linear map of (x0, w_1 .. w_T); conditioning that Gaussian on z is the
+    textbook formula.
     """
     T, n = len(z), len(model.x0)
     powers = [np.linalg.matrix_power(model.F, k) for k in range(T + 1)]
@@ -40,9 +30,9 @@ def dense_posterior(model, z, u):
     mean = np.zeros((T, n))
     for k in range(T):
         mean[k] = powers[k + 1] @ model.x0
-        A[k * n:(k + 1) * n, :n] = powers[k + 1]
+        A[k * n : (k + 1) * n, :n] = powers[k + 1]
         for j in range(k + 1):
-            A[k * n:(k + 1) * n, (j + 1) * n:(j + 2) * n] = powers[k - j]
+            A[k * n : (k + 1) * n, (j + 1) * n : (j + 2) * n] = powers[k - j]
             mean[k] += powers[k - j] @ model.B @ u[j]
     noise = np.kron(np.eye(T + 1), model.Q)
     noise[:n, :n] = model.P0
@@ -53,7 +43,8 @@ def dense_posterior(model, z, u):
     gain = prior @ H.T @ np.linalg.inv(S)
     x = mean.ravel() + gain @ (z[known] - (mean @ model.H.T)[known]).ravel()
     P = prior - gain @ H @ prior
-    return x.reshape(T, n), np.array([P[k * n:(k + 1) * n, k * n:(k + 1) * n] for k in range(T)])
+    steps = [slice(k * n, (k + 1) * n) for k in range(T)]
+    return x.reshape(T, n), np.array([P[step, step] for step in steps])
 
 
 @pytest.mark.parametrize("seed", range(20))
@@ -68,8 +59,8 @@ def test_smoother_and_filter_equal_conditioning_of_the_dense_joint_gaussian(seed
     x, P = dense_posterior(model, z, u)
     close(smooth.x, x)
     close(smooth.P, P)
-    for k in range(T):                      # the filter at k knows z up to k
-        x, P = dense_posterior(model, z[:k + 1], u)
+    for k in range(T):  # the filter at k knows z up to k
+        x, P = dense_posterior(model, z[: k + 1], u)
         close(result.x[k], x[-1])
         close(result.P[k], P[-1])
 
@@ -78,8 +69,16 @@ def test_smoother_and_filter_equal_conditioning_of_the_dense_joint_gaussian(seed
 def test_extended_filter_on_a_linear_model_is_the_linear_filter(seed):
     rng = np.random.default_rng(seed)
     model = random_model(rng, l=1)
-    twin = NonlinearModel(f=lambda x, u: model.F @ x + model.B @ u, F=lambda x, u: model.F, h=lambda x, u: model.H @ x,
-                          H=lambda x, u: model.H, Q=model.Q, R=model.R, x0=model.x0, P0=model.P0)
+    twin = NonlinearModel(
+        f=lambda x, u: model.F @ x + model.B @ u,
+        F=lambda x, u: model.F,
+        h=lambda x, u: model.H @ x,
+        H=lambda x, u: model.H,
+        Q=model.Q,
+        R=model.R,
+        x0=model.x0,
+        P0=model.P0,
+    )
     u = rng.normal(size=(30, 1))
     z = simulate(model, 30, rng, u).z
     a, b = kalman_filter(model, z, u), kalman_filter(twin, z, u)
@@ -93,7 +92,9 @@ def test_extended_filter_on_a_linear_model_is_the_linear_filter(seed):
 def test_covariances_stay_covariances(seed, scale):
     rng = np.random.default_rng(seed)
     model = random_model(rng, n=4, m=2)
-    model = LinearModel(F=model.F, H=model.H, Q=scale * model.Q, R=model.R, x0=model.x0, P0=model.P0)
+    model = LinearModel(
+        F=model.F, H=model.H, Q=scale * model.Q, R=model.R, x0=model.x0, P0=model.P0
+    )
     result = kalman_filter(model, simulate(model, 200, rng).z)
     smooth = rts_smooth(result)
     for P in (result.P_pred, result.P, smooth.P):
@@ -163,15 +164,24 @@ def test_R_that_changes_in_time_given_as_array_and_as_function():
 
 def test_an_angle_is_wrapped_by_the_model_s_residual():
     """z = -179 deg against a prediction of +179 deg is 2 deg away, not 358."""
-    model = LinearModel(F=1, H=1, Q=1, R=1, x0=np.radians(179), P0=0, residual=lambda z, z_pred:
-                        (z - z_pred + np.pi) % (2 * np.pi) - np.pi)
+    model = LinearModel(
+        F=1,
+        H=1,
+        Q=1,
+        R=1,
+        x0=np.radians(179),
+        P0=0,
+        residual=lambda z, z_pred: (z - z_pred + np.pi) % (2 * np.pi) - np.pi,
+    )
     result = kalman_filter(model, [np.radians(-179)])
     assert np.degrees(result.y[0, 0]) == pytest.approx(2)
-    assert np.degrees(result.x[0, 0]) == pytest.approx(180)     # K = 1/2
+    assert np.degrees(result.x[0, 0]) == pytest.approx(180)  # K = 1/2
 
 
 def test_smoother_with_a_state_that_is_known_exactly():
-    model = LinearModel(F=[[1, 1], [0, 1]], H=[[1, 0]], Q=np.zeros((2, 2)), R=1, x0=[0, 1], P0=np.zeros((2, 2)))
+    model = LinearModel(
+        F=[[1, 1], [0, 1]], H=[[1, 0]], Q=np.zeros((2, 2)), R=1, x0=[0, 1], P0=np.zeros((2, 2))
+    )
     smooth = rts_smooth(kalman_filter(model, [5, 5, 5]))
     assert np.array_equal(smooth.x, [[1, 1], [2, 1], [3, 1]])
 
@@ -192,7 +202,12 @@ def test_a_thousand_random_models_against_filterpy_and_statsmodels(block):
         peer.x, peer.P = model.x0.copy(), model.P0.copy()
         rows = [None if np.isnan(row).any() else row for row in z]
         x, P, x_pred, P_pred = peer.batch_filter(rows)
-        for ours, theirs in ((result.x, x), (result.P, P), (result.x_pred, x_pred), (result.P_pred, P_pred)):
+        for ours, theirs in (
+            (result.x, x),
+            (result.P, P),
+            (result.x_pred, x_pred),
+            (result.P_pred, P_pred),
+        ):
             close(ours, theirs)
         x, P, _, _ = peer.rts_smoother(x, P)
         close(smooth.x, x)
@@ -202,87 +217,10 @@ def test_a_thousand_random_models_against_filterpy_and_statsmodels(block):
         peer["transition"], peer["design"], peer["selection"] = model.F, model.H, np.eye(n)
         peer["state_cov"], peer["obs_cov"] = model.Q, model.R
         peer.initialize_known(model.F @ model.x0, model.F @ model.P0 @ model.F.T + model.Q)
-        peer.ssm.tolerance = 0              # never switch to the steady gain
+        peer.ssm.tolerance = 0  # never switch to the steady gain
         theirs = peer.smooth([], return_ssm=True)
         close(result.x, theirs.filtered_state.T)
         close(result.P, theirs.filtered_state_cov.transpose(2, 0, 1))
         close(result.x_pred, theirs.predicted_state.T[:-1])
         close(smooth.x, theirs.smoothed_state.T)
         close(smooth.P, theirs.smoothed_state_cov.transpose(2, 0, 1))
-
-
-# --- many runs at once -----------------------------------------------------------------------------------------------
-
-@pytest.mark.parametrize("seed", range(20))
-def test_many_runs_at_once_equal_the_loop_run_by_run(seed):
-    rng = np.random.default_rng(seed)
-    l = seed % 3                                            # without an input, with one, with two
-    model, T, runs = random_model(rng, l=l), 25, 4
-    u = rng.normal(size=(T, l)) if l else None
-    z = np.stack([simulate(model, T, rng, u).z for _ in range(runs)], axis=-1)
-    together = kalman_filter(model, z, u)
-    n, m = len(model.x0), z.shape[1]
-    assert together.x.shape == together.x_pred.shape == (T, n, runs) and together.y.shape == (T, m, runs)
-    for run in range(runs):
-        alone = kalman_filter(model, z[:, :, run], u)
-        for name in ("x_pred", "x", "y"):
-            close(getattr(together, name)[:, :, run], getattr(alone, name), 1e-12)
-        for name in ("P_pred", "P", "S", "K", "F", "R"):    # common to all runs: no axis of the runs
-            assert np.array_equal(getattr(together, name), getattr(alone, name))
-
-
-def test_many_runs_that_have_no_common_form_are_refused():
-    rng = np.random.default_rng(4)
-    model = random_model(rng, n=2, m=1, l=1)
-    parts = {name: getattr(model, name) for name in ("F", "H", "Q", "R", "x0", "P0", "B")}
-    z = rng.normal(size=(6, 1, 3))
-    nonlinear = NonlinearModel(f=lambda x, u: x, F=lambda x, u: np.eye(2), h=lambda x, u: x[:1],
-                               H=lambda x, u: np.eye(1, 2), Q=model.Q, R=model.R, x0=model.x0, P0=model.P0)
-    wrapped = LinearModel(**parts, residual=lambda z, z_pred: z - z_pred)
-    for other in (nonlinear, wrapped):
-        with pytest.raises(ValueError, match="needs a LinearModel with the usual residual.* / .*memerlukan LinearModel"):
-            kalman_filter(other, z)
-    for options in (dict(adapt_R=lambda k, y, HPH, R: R), dict(gate=0.99)):
-        with pytest.raises(ValueError, match="neither adapt_R nor gate"):
-            kalman_filter(model, z, **options)
-    with pytest.raises(ValueError, match=r"u has shape \(6, 1, 3\), expected \(6, l\)"):
-        kalman_filter(model, z, u=z)
-    with pytest.raises(ValueError, match="model has no B"):
-        kalman_filter(LinearModel(**{**parts, "B": None}), z, u=np.ones(6))
-    for wrong in (np.zeros((6, 2, 3)), np.zeros((6, 1, 0)), np.zeros((6, 1, 3, 1))):
-        with pytest.raises(ValueError, match=r"z has shape .*, expected \(T, 1\)"):
-            kalman_filter(model, wrong)
-    z[2, 0, 1] = np.inf
-    with pytest.raises(ValueError, match="finite"):
-        kalman_filter(model, z)
-
-
-@pytest.mark.parametrize("together", [True, False])
-def test_many_runs_with_gaps_and_matrices_of_each_step(together):
-    """Sensors that are silent in all runs, or in one only."""
-    rng = np.random.default_rng(9)
-    model, T = random_model(rng, n=3, m=2, l=1), 30
-    model = LinearModel(F=model.F * rng.uniform(0.9, 1, size=(T, 1, 1)), H=model.H, Q=model.Q, B=model.B,
-                        R=model.R * rng.uniform(0.5, 2, size=(T, 1, 1)), x0=model.x0, P0=model.P0)
-    u, z = rng.normal(size=(T, 1)), rng.normal(size=(T, 2, 3))
-    z[4] = z[6, 1] = np.nan
-    if not together:
-        z[8, 0, 1] = np.nan
-    result = kalman_filter(model, z, u)
-    smooth = smooth_runs(result)
-    for run in range(3):
-        alone = kalman_filter(model, z[:, :, run], u)
-        back = rts_smooth(alone)
-        for name in ("x_pred", "x", "y"):
-            close(np.nan_to_num(getattr(result, name)[..., run]), np.nan_to_num(getattr(alone, name)), 1e-12)
-        for name in ("P_pred", "P", "S", "K"):
-            ours = getattr(result, name)
-            close(ours if together else ours[..., run], getattr(alone, name), 1e-12)
-        close(smooth.x[..., run], back.x, 1e-12)
-        close(smooth.P if together else smooth.P[..., run], back.P, 1e-12)
-
-
-def test_many_runs_are_smoothed_run_by_run():
-    result = kalman_filter(random_model(np.random.default_rng(0), n=2, m=1), np.zeros((5, 1, 3)))
-    with pytest.raises(ValueError, match="rts_smooth takes one run"):
-        rts_smooth(result)

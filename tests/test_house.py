@@ -13,6 +13,8 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 LINE, CODE_CELL_LINE = 100, 76  # characters
 CODE_CELL, FUNCTION, FILE = 12, 40, 300  # lines
+CORE = ("models.py", "filters.py", "simulate.py", "metrics.py", "tuning.py")
+CORE_LINES = 900  # together: what a reader of all chapters may have to read
 
 # Rooms that are being rebuilt: the list in pyproject.toml, which `make lint` leaves out, too
 EXCLUDED = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["ruff"]["extend-exclude"]
@@ -51,6 +53,13 @@ def functions(tree):
 def test_a_file_is_short(path):
     lines = path.read_text(encoding="utf-8").splitlines()
     assert len(lines) <= FILE, f"{name_of(path)} has {len(lines)} lines: make two rooms of it"
+
+
+def test_the_core_is_small():
+    paths = [ROOT / "kalman_lib" / name for name in CORE]
+    lines = {path.name: len(path.read_text(encoding="utf-8").splitlines()) for path in paths}
+    total = sum(lines.values())
+    assert total <= CORE_LINES, f"{total} lines: what is not core moves to another room: {lines}"
 
 
 @each_file

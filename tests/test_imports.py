@@ -18,20 +18,19 @@ WITH_SCIPY = NUMERICS | {"scipy"}
 # Room -> (our own rooms that it may import, packages); the standard library is free, and so are the
 # files of the same room. A room is a file of kalman_lib, or one of its folders.
 ALLOWED = {
-    "checks": (set(), NUMERICS),
     "roots": (set(), NUMERICS),
-    "numeric": (set(), WITH_SCIPY),
-    "models": ({"checks", "roots"}, NUMERICS),
-    "metrics": ({"checks"}, WITH_SCIPY),
-    "simulate": ({"checks", "models"}, NUMERICS),
-    "filters": ({"checks", "models", "roots", "many"}, WITH_SCIPY),
+    "frozen": (set(), set()),
+    "checks": ({"roots"}, NUMERICS),
+    "numeric": ({"checks", "roots"}, WITH_SCIPY),
+    "models": ({"checks", "frozen"}, NUMERICS),
+    "metrics": ({"checks", "numeric"}, WITH_SCIPY),
+    "simulate": ({"checks"}, NUMERICS),
+    "filters": ({"checks", "frozen", "models", "roots", "many"}, WITH_SCIPY),
     "many": ({"models", "filters"}, NUMERICS),
     "fast": ({"checks", "models", "roots", "filters", "many"}, NUMERICS),
-    "tuning": ({"checks", "models", "roots", "filters", "many", "fast", "numeric"}, WITH_SCIPY),
-    "montecarlo": ({"arguments", "blocks", "workers"}, NUMERICS),
-    "arguments": (set(), NUMERICS),
-    "blocks": ({"models", "fast"}, NUMERICS),
-    "workers": (set(), {"tqdm"}),  # only if it is there
+    "tuning": ({"checks", "models", "filters", "many", "fast", "numeric"}, WITH_SCIPY),
+    "montecarlo": ({"studies"}, NUMERICS),
+    "studies": ({"models", "fast"}, NUMERICS | {"tqdm"}),  # tqdm only if it is there
     "__init__": (
         {"models", "metrics", "simulate", "filters", "fast", "tuning", "montecarlo"},
         set(),

@@ -1,4 +1,5 @@
 """Monte Carlo: right, the same to the last bit wherever it runs; a study knows what it is."""
+
 import multiprocessing
 import pickle
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
@@ -33,13 +34,16 @@ class Shuffled(Executor):
 
 # --- the numbers ---------------------------------------------------------------------------------
 
+
 def test_the_numbers_are_those_of_run_by_run():
     result = study()
     assert result.complete and result.runs == RUNS and result.rmse.shape == (1, RUNS)
     seed = np.random.default_rng(1).bit_generator.seed_seq.spawn(3)[0]
     flight = gyro.simulate(PARAMS, np.random.default_rng(seed), runs=montecarlo.BLOCK)
-    alone = [kalman_filter(gyro.model(PARAMS), flight.z[..., run], flight.u)
-             for run in range(montecarlo.BLOCK)]
+    alone = [
+        kalman_filter(gyro.model(PARAMS), flight.z[..., run], flight.u)
+        for run in range(montecarlo.BLOCK)
+    ]
     for run in (0, 7):
         expected = rmse(flight.x[..., run], alone[run].x)
         assert result.rmse[:, run] == pytest.approx(expected, rel=1e-12)
@@ -68,7 +72,7 @@ def test_a_mismatch_map_is_a_monte_carlo_in_every_cell():
     for i, sigma_w in enumerate(ASSUMED["sigma_w"]):
         for j, sigma_v in enumerate(ASSUMED["sigma_v"]):
             cell = study(assumed=replace(PARAMS, sigma_w=sigma_w, sigma_v=sigma_v))
-            expected = np.sqrt(np.mean(cell.rmse ** 2))
+            expected = np.sqrt(np.mean(cell.rmse**2))
             assert table.rmse[0, i, j] == pytest.approx(expected, rel=1e-12)
             assert table.nees[i, j] == pytest.approx(cell.nees.mean(), rel=1e-12)
     # the truth is the best assumption
@@ -96,6 +100,7 @@ def test_drawing_numbers_leaves_the_seeds_as_they_are_and_spawning_does_not():
 
 
 # --- a study knows what it is, resumes only itself, and grows ------------------------------------
+
 
 def test_a_study_knows_what_it_is_and_can_be_stored():
     rng = np.random.default_rng(1)
@@ -125,7 +130,7 @@ def test_more_runs_extend_a_study_to_the_bits_of_a_larger_one(before, after):
     small = monte_carlo(gyro, PARAMS, before, np.random.default_rng(1))
     grown = monte_carlo(gyro, PARAMS, after, resume=pickle.loads(pickle.dumps(small)))
     assert grown.complete and grown.runs == grown.planned == after and same(grown, fresh)
-    assert small.planned == before and small.complete           # it stays what it was
+    assert small.planned == before and small.complete  # it stays what it was
 
 
 def test_an_extended_study_computes_only_what_is_new(monkeypatch):
@@ -137,7 +142,7 @@ def test_an_extended_study_computes_only_what_is_new(monkeypatch):
 
     monkeypatch.setattr(gyro, "simulate", counted)
     monte_carlo(gyro, PARAMS, 1800, resume=small)
-    assert sizes == [500, 300]      # the third block had 200 runs; the first two are kept
+    assert sizes == [500, 300]  # the third block had 200 runs; the first two are kept
 
 
 def test_a_map_grows_too():
@@ -155,15 +160,18 @@ def test_a_study_from_a_used_generator_grows_as_a_fresh_one_would():
     small = monte_carlo(gyro, PARAMS, 700, rng)
     assert rng.bit_generator.seed_seq.n_children_spawned == 2 + 2
     assert same(monte_carlo(gyro, PARAMS, 2000, rng, resume=small), fresh)
-    assert rng.bit_generator.seed_seq.n_children_spawned == 2 + 2       # not used
+    assert rng.bit_generator.seed_seq.n_children_spawned == 2 + 2  # not used
 
 
-@pytest.mark.parametrize("changed, told", [
-    (dict(params=replace(PARAMS, sigma_v=100)), "params.sigma_v"),
-    (dict(assumed=replace(PARAMS, sigma_w=3)), "assumed.sigma_w"),
-    (dict(paper=theory, params=theory.Params()), "paper"),
-    (dict(runs=500), "runs = 500"),
-])
+@pytest.mark.parametrize(
+    "changed, told",
+    [
+        (dict(params=replace(PARAMS, sigma_v=100)), "params.sigma_v"),
+        (dict(assumed=replace(PARAMS, sigma_w=3)), "assumed.sigma_w"),
+        (dict(paper=theory, params=theory.Params()), "paper"),
+        (dict(runs=500), "runs = 500"),
+    ],
+)
 def test_a_study_resumes_only_itself(changed, told):
     call = dict(paper=gyro, params=PARAMS, runs=RUNS, resume=study()) | changed
     with pytest.raises(ValueError, match=told) as error:
@@ -171,14 +179,17 @@ def test_a_study_resumes_only_itself(changed, told):
     assert both_languages(error)
 
 
-@pytest.mark.parametrize("changed, told", [
-    (dict(params=replace(PARAMS, sigma_v=100)), "params.sigma_v"),
-    (dict(assumed={"sigma_w": [5, 11], "sigma_v": [1, 10, 100]}), "assumed.sigma_w"),
-    (dict(assumed={"sigma_w": [5, 10], "sigma_v": [1, 10]}), "assumed.sigma_v"),
-    (dict(assumed=dict(reversed(ASSUMED.items()))), "assumed is"),
-    (dict(assumed={"sigma_w": [5, 10], "u": [1, 10, 100]}), "assumed is"),
-    (dict(runs=99), "runs = 99"),
-])
+@pytest.mark.parametrize(
+    "changed, told",
+    [
+        (dict(params=replace(PARAMS, sigma_v=100)), "params.sigma_v"),
+        (dict(assumed={"sigma_w": [5, 11], "sigma_v": [1, 10, 100]}), "assumed.sigma_w"),
+        (dict(assumed={"sigma_w": [5, 10], "sigma_v": [1, 10]}), "assumed.sigma_v"),
+        (dict(assumed=dict(reversed(ASSUMED.items()))), "assumed is"),
+        (dict(assumed={"sigma_w": [5, 10], "u": [1, 10, 100]}), "assumed is"),
+        (dict(runs=99), "runs = 99"),
+    ],
+)
 def test_a_map_resumes_only_itself(changed, told):
     table = chart(100, np.random.default_rng(1))
     call = dict(paper=gyro, params=PARAMS, assumed=ASSUMED, runs=100, resume=table) | changed

@@ -1,4 +1,5 @@
 """Processes that die or are interrupted: a pool of Python, a cluster of Dask, Ctrl+C."""
+
 import multiprocessing
 import os
 import signal
@@ -36,12 +37,13 @@ def test_ctrl_c_in_a_terminal_ends_no_process_that_waits(flag):
 
 def test_a_pool_that_breaks_after_ctrl_c_still_ends(flag, monkeypatch):
     """In Python 3.11 its thread stumbled over the cancelled tasks, and the program never ended."""
+
     class Pressed(Executor):
         futures = []
 
         def submit(self, *task):
             if len(self.futures) == 7:
-                while not self.futures[1].running():    # then the queue to the process is full
+                while not self.futures[1].running():  # then the queue to the process is full
                     time.sleep(0.01)
                 press()
             self.futures.append(pool.submit(*task))
@@ -64,12 +66,15 @@ def test_a_pool_that_breaks_after_ctrl_c_still_ends(flag, monkeypatch):
 def test_a_dask_cluster_that_loses_a_worker_gives_the_same_bits(flag):
     """Of two worker processes, the one that has the sixth block kills itself."""
     distributed = pytest.importorskip("distributed")
-    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True,
-                                  dashboard_address=None) as cluster, \
-            distributed.Client(cluster) as client:
+    with (
+        distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+        ) as cluster,
+        distributed.Client(cluster) as client,
+    ):
         workers = set(client.run(os.getpid).values())
         together = with_accident("die", flag, client.get_executor(), block=5)
-        client.wait_for_workers(2)              # the dead one is replaced before all are closed
+        client.wait_for_workers(2)  # the dead one is replaced before all are closed
     died = int(flag.with_name("flag.died").read_text())
     assert len(workers) == 2 and died in workers
     assert together.complete and same(quiet(), together)

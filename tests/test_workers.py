@@ -1,4 +1,5 @@
 """A study that is stopped, at whatever moment and by whatever, keeps what is done and goes on."""
+
 import signal
 import warnings
 from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
@@ -7,8 +8,18 @@ from dataclasses import replace
 import accident
 import numpy as np
 import pytest
-from accident import (MANY, PARAMS, RUNS, both_languages, chart, press, quiet, same, study,
-                      with_accident)
+from accident import (
+    MANY,
+    PARAMS,
+    RUNS,
+    both_languages,
+    chart,
+    press,
+    quiet,
+    same,
+    study,
+    with_accident,
+)
 
 from kalman_lib import mismatch_map, monte_carlo, montecarlo
 from kalman_lib.papers import gyro
@@ -36,6 +47,7 @@ def break_down():
 
 
 # --- stopped, and what remains -------------------------------------------------------------------
+
 
 @pytest.mark.parametrize("threads", [False, True])
 def test_an_interrupted_study_keeps_what_is_done_and_goes_on(threads, flag, capsys):
@@ -67,7 +79,7 @@ def test_ctrl_c_while_tasks_are_handed_out(trouble, capsys):
     pool = Scripted(trouble, press)
     part = monte_carlo(accident, accident.Params(), MANY, np.random.default_rng(1), pool)
     assert not part.complete and sorted(part.blocks) == list(range(0, trouble, 2))
-    assert len(pool.futures) == trouble                         # nothing more was handed out
+    assert len(pool.futures) == trouble  # nothing more was handed out
     assert all(future.cancelled() for future in pool.futures[1::2])
     assert f"{len(part.blocks)} / 8 (resume=" in capsys.readouterr().out
     assert same(monte_carlo(accident, accident.Params(), MANY, resume=part), quiet())
@@ -101,6 +113,7 @@ def test_a_broken_pool_takes_nothing_from_a_study_that_is_resumed():
 
 def test_ctrl_c_twice_loses_nothing(capsys):
     """An impatient reader presses again while the finished blocks are gathered."""
+
     class Impatient(Scripted):
         def submit(self, function, *arguments):
             future = super().submit(function, *arguments)
@@ -138,7 +151,7 @@ def test_ctrl_c_when_the_last_block_has_come_back(capsys):
     late = {"pressed": False}
     whole = study(Prompt())
     assert not late and "3 / 3" in capsys.readouterr().out
-    assert whole.complete and same(whole, study())      # all had finished, so all count
+    assert whole.complete and same(whole, study())  # all had finished, so all count
 
 
 def test_a_meaning_that_a_reader_gave_to_ctrl_c_stays(flag):
@@ -172,6 +185,7 @@ def test_a_study_with_nothing_finished_says_so(name):
 
 # --- blocks that fail ----------------------------------------------------------------------------
 
+
 @pytest.mark.parametrize("threads", [False, True])
 def test_one_block_that_fails_costs_no_other(threads, flag):
     with ThreadPoolExecutor(2) as pool:
@@ -179,7 +193,7 @@ def test_one_block_that_fails_costs_no_other(threads, flag):
             part = with_accident("fail", flag, pool if threads else None)
         assert told[0].filename == accident.__file__ and len(told) == 1
         assert not part.complete and sorted(part.blocks) == [0, 1, 3, 4, 5, 6, 7]
-        with pytest.warns(UserWarning, match="MemoryError"):        # still the same trouble
+        with pytest.warns(UserWarning, match="MemoryError"):  # still the same trouble
             part = with_accident("fail", flag, pool if threads else None, resume=part)
         assert len(part.blocks) == 7
     flag.unlink()

@@ -1,4 +1,5 @@
 """Results that keep x and P, and make their other fields when they are read."""
+
 import functools
 from dataclasses import fields
 
@@ -26,7 +27,7 @@ def _reduce(self):
 
 
 def _of(cls, later, **known):
-    """The result of what is known, and of functions for what can be computed later: name -> function."""
+    """The result of what is known, and of functions for the rest, `later`: name -> function."""
     result = cls.__new__(cls)
     result.__dict__.update(known, later=later)
     for array in known.values():
@@ -45,13 +46,13 @@ def repeat_last(a, T):
     if len(a) == T:
         return a
     whole = np.empty((T, *a.shape[1:]))
-    whole[:len(a)] = a
-    whole[len(a):] = a[-1]
+    whole[: len(a)] = a
+    whole[len(a) :] = a[-1]
     return whole
 
 
 class Gains:
-    """P (k, n, n) of the first steps of a Series, and its P_pred, S and K: later ones are as the last."""
+    """P (k, n, n) of the first steps of a Series, P_pred, S and K: later ones are as the last."""
 
     def __init__(self, s, P):
         self.s = s
@@ -60,8 +61,9 @@ class Gains:
     @functools.cached_property
     def P_pred(self):
         F, Q, T = self.s.F, self.s.Q, len(self.s.z)
-        steps = T if self.s.varies else min(len(self.P) + 1, T)         # P_pred settles one step after P
-        before = np.concatenate([self.s.P0[np.newaxis], repeat_last(self.P, max(steps, len(self.P)))])[:steps]
+        steps = T if self.s.varies else min(len(self.P) + 1, T)  # P_pred settles one step after P
+        P = repeat_last(self.P, max(steps, len(self.P)))
+        before = np.concatenate([self.s.P0[np.newaxis], P])[:steps]
         P_pred = F @ before @ F.T + Q
         return (P_pred + P_pred.swapaxes(1, 2)) / 2
 
@@ -77,9 +79,11 @@ class Gains:
             return np.linalg.solve(self.S, HP).swapaxes(1, 2)
         K = np.zeros((len(HP), *self.s.H.T.shape))
         for pattern in np.unique(self.s.silent, axis=0):
-            rows, heard = np.flatnonzero((self.s.silent == pattern).all(axis=1)), np.flatnonzero(~pattern)
+            rows = np.flatnonzero((self.s.silent == pattern).all(axis=1))
+            heard = np.flatnonzero(~pattern)
             S = self.S[np.ix_(rows, heard, heard)]
-            K[np.ix_(rows, range(K.shape[1]), heard)] = np.linalg.solve(S, HP[np.ix_(rows, heard)]).swapaxes(1, 2)
+            solved = np.linalg.solve(S, HP[np.ix_(rows, heard)])
+            K[np.ix_(rows, range(K.shape[1]), heard)] = solved.swapaxes(1, 2)
         return K
 
 
@@ -99,8 +103,12 @@ def result_of(gains, x):
 
     later = {name: whole(name) for name in ("P", "P_pred", "S", "K")}
     later |= {name: fixed(name) for name in ("F", "H", "Q", "R")}
-    later |= {"x_pred": lambda: predictions(s, x), "y": innovations, "start": lambda: root_of(s.P0),
-              "gated": lambda: np.broadcast_to(False, s.z.shape)}
+    later |= {
+        "x_pred": lambda: predictions(s, x),
+        "y": innovations,
+        "start": lambda: root_of(s.P0),
+        "gated": lambda: np.broadcast_to(False, s.z.shape),
+    }
     return LazyFilterResult.of(later, x=x, gains=gains)
 
 

@@ -2,6 +2,7 @@
 
 Serves the rows "gyro" and "scalar series" of the bench, and every filter of chapters 2 and 3.
 """
+
 from itertools import repeat
 
 import numpy as np
@@ -21,12 +22,12 @@ def filter_number(s):
         before = P
         x = F * x + drive_k
         P = F * P * F + Q
-        if z_k == z_k:                          # not NaN
+        if z_k == z_k:  # not NaN
             S = H * P * H + R_k
             x += P * H / S * (z_k - H * x)
-            P *= R_k / S                        # (1 - K H) P, without a difference that cancels
+            P *= R_k / S  # (1 - K H) P, without a difference that cancels
         states.append(x)
         variances.append(P)
         if may_end and P == before and abs(F * (1 - P * H * H / R_k)) <= STEADY:
-            break                               # P depends on the P before it only: from here on it stays
+            break  # P depends on the P before it only: from here on it stays
     return np.array(states)[:, np.newaxis], np.array(variances)[:, np.newaxis, np.newaxis]

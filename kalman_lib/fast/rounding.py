@@ -1,26 +1,30 @@
-"""Where rounding is in the way: then a fast form is not chosen, and the readable loop, which keeps its digits, works.
+"""Where rounding is in the way: there the readable loop works, which keeps its digits.
 
-A fast form multiplies covariances where the loop multiplies their roots. It loses as many digits as a step takes from
-a variance (with a vague start, P0 / R = 1e9, nine of sixteen), and a filter with a long memory adds up what is lost.
+A fast form multiplies covariances where the loop multiplies their roots. It loses as many digits as
+a step takes from a variance (with a vague start, P0 / R = 1e9, nine of sixteen), and a filter with
+a long memory adds up what is lost.
 """
+
 import numpy as np
 
+from ..checks import correlations
 from .scan import radius
 
-LOST = 100              # rounding errors that may add up: two digits
-FAR = 1000              # times that z may be larger than the innovations, and x0 than x: three digits
-ALIKE = 0.02            # the smallest eigenvalue of correlations whose inverse keeps its digits
+LOST = 100  # rounding errors that may add up: two digits
+FAR = 1000  # times that z may be larger than the innovations, and x0 than x: three digits
+ALIKE = 0.02  # the smallest eigenvalue of correlations whose inverse keeps its digits
 
 
 def too_much(s, P):
     """Does a step lose too many digits? P (k, n, n) -> (k,) of True and False."""
     before = np.concatenate([s.P0[np.newaxis], P[:-1]])
     flat = before.reshape(len(P), -1).T
-    variance = _squares(s.F) @ flat + np.diag(s.Q)[:, np.newaxis]               # of P_pred, (n, k)
-    R = np.einsum("kii->ik", s.R[np.newaxis] if s.R.ndim == 2 else s.R[:len(P)])
+    variance = _squares(s.F) @ flat + np.diag(s.Q)[:, np.newaxis]  # of P_pred, (n, k)
+    R = np.einsum("kii->ik", s.R[np.newaxis] if s.R.ndim == 2 else s.R[: len(P)])
     S = _squares(s.H @ s.F) @ flat + np.diag(s.H @ s.Q @ s.H.T)[:, np.newaxis] + R
-    terms_predict = (np.abs(s.F) @ np.sqrt(np.abs(np.einsum("kii->ik", before)))) ** 2      # of F P F'
-    terms_S = (np.abs(s.H) @ np.sqrt(np.abs(variance))) ** 2                                # of H P_pred H'
+    sigma = np.sqrt(np.abs(np.einsum("kii->ik", before)))
+    terms_predict = (np.abs(s.F) @ sigma) ** 2  # of F P F'
+    terms_S = (np.abs(s.H) @ np.sqrt(np.abs(variance))) ** 2  # of H P_pred H'
     pairs = [(terms_predict, variance), (terms_S, S), (variance, np.einsum("kii->ik", P))]
     lost = np.ones(len(P))
     for terms, result in pairs:
@@ -53,15 +57,17 @@ def well_conditioned(P):
 
 
 def smallest_eigenvalue(P):
-    """Of the correlations of P (k, n, n): 1 where no two components tell the same, 0 where one is known or a copy."""
+    """Of the correlations of P (k, n, n).
+
+    1 where no two components tell the same, 0 where one is known or a copy.
+    """
     variance = np.einsum("kii->ki", P)
     if not (variance > 0).all():
         return 1e-300
     if P.shape[1] == 1:
         return 1.0
-    sigma = np.sqrt(variance)
-    correlation = P / sigma[:, :, np.newaxis] / sigma[:, np.newaxis]
-    return max(np.linalg.eigvalsh(correlation)[:, 0].min(), 1e-300)
+    C = correlations(P, np.sqrt(variance))
+    return max(np.linalg.eigvalsh(C)[:, 0].min(), 1e-300)
 
 
 def _squares(A):
@@ -75,14 +81,19 @@ def usual(a):
 
 
 def near(s, largest, usual, y, P):
-    """Are the data near enough to zero? largest and usual (n,): |x| of the states, y (m,): usual |innovations|, P: the last.
+    """Are the data near enough to zero?
 
-    z = 1e6 + a little has lost six digits before the filter begins, and every form of it loses others.
+    largest and usual (n,): |x| of the states; y (m,): usual |innovations|; P: the last.
+    z = 1e6 + a little has lost six digits before the filter begins, and every form of it loses
+    others.
     """
     size = np.abs(s.H) @ np.maximum(largest, np.abs(s.x0))
     K = gain_after(s, P)
-    told = np.abs(K) @ size * np.sqrt(steps_alive(s.F - K @ s.H @ s.F, len(s.z)))   # to the states, by rounding z
-    started = np.abs(s.F) @ np.abs(s.x0)        # by x0, and by the input
+    alive = steps_alive(s.F - K @ s.H @ s.F, len(s.z))
+    told = np.abs(K) @ size * np.sqrt(alive)  # to the states, by rounding z
+    started = np.abs(s.F) @ np.abs(s.x0)  # by x0, and by the input
     if s.drive is not None:
         started = started + np.abs(s.drive).max(axis=0)
-    return bool((size <= FAR * y).all() and (told <= FAR * usual).all() and (started <= FAR * usual).all())
+    if not (size <= FAR * y).all():
+        return False
+    return bool((told <= FAR * usual).all() and (started <= FAR * usual).all())

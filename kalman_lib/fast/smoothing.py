@@ -1,7 +1,8 @@
-"""The smoothers of the fast results, by the equations of Rauch, Tung and Striebel, where P_pred is far from singular.
+"""The smoothers of the fast results, by the equations of Rauch, Tung and Striebel.
 
-Serves the rows "RTS" of the bench.
+That is where P_pred is far from singular. Serves the rows "RTS" of the bench.
 """
+
 import numpy as np
 
 from . import runs
@@ -19,33 +20,36 @@ def smooth(result):
     G = _gains(gains)
     if steps_alive(G[-1], T) > LOST:
         return None
-    x = (_smooth_runs if result.x.ndim == 3 else _smooth_one)(gains.s, result.x, G)
+    form = _smooth_runs if result.x.ndim == 3 else _smooth_one
+    x = form(gains.s, result.x, G)
     if not (np.abs(G).max(axis=0) @ _largest(result.x) <= FAR * _largest(x)).all():
-        return None                             # large numbers whose differences are small
+        return None  # large numbers whose differences are small
     return LazySmootherResult.of({"P": lambda: _smooth_P(gains, G, T)}, x=x)
 
 
 def _largest(x):
     """Of every state, over (some of) the steps and all runs."""
-    part = x if x.ndim == 2 else x[::runs.MANY]
+    part = x if x.ndim == 2 else x[:: runs.MANY]
     return np.abs(part).max(axis=tuple(i for i in range(x.ndim) if i != 1))
 
 
 def _gains(gains):
     """G = P F' P_pred^-1 of the first steps; at later ones it is the last one."""
     P_next = gains.P_pred[1:]
-    FP = gains.s.F @ repeat_last(gains.P, max(len(P_next), len(gains.P)))[:len(P_next)]
+    steps = len(P_next)
+    P = repeat_last(gains.P, max(steps, len(gains.P)))[:steps]
+    FP = gains.s.F @ P
     return np.linalg.solve(P_next, FP).swapaxes(1, 2)
 
 
 def _smooth_one(s, x, G):
-    """x (T, n) of one run: where G has settled by a scan that starts at the last step, then one by one."""
+    """x (T, n) of one run: where G has settled by a scan from the last step, then one by one."""
     k = len(x) - 1
     smooth = x.copy()
     x_pred = predictions(s, x)
     if len(x) - len(G) >= LONG and radius(G[-1]) <= STEADY:
         k = len(G) - 1
-        smooth[k:-1] -= x_pred[k + 1:] @ G[-1].T
+        smooth[k:-1] -= x_pred[k + 1 :] @ G[-1].T
         scan(G[-1], smooth[k:-1][::-1], x[-1])
     for i in reversed(range(k)):
         smooth[i] += G[min(i, len(G) - 1)] @ (smooth[i + 1] - x_pred[i + 1])
@@ -64,12 +68,14 @@ def _smooth_runs(s, x, G):
 
 
 def _smooth_P(gains, G, T):
-    """P (T, n, n) of the smoother: it settles backwards, too, and changes again where the filter had not settled.
+    """P (T, n, n) of the smoother.
 
-    P + G (P_s_next - P_pred_next) G' = A P A' + G (P_s_next + Q) G' with A = I - G F: nothing is subtracted.
+    It settles backwards, too, and changes again where the filter had not settled.
+    P + G (P_s_next - P_pred_next) G' = A P A' + G (P_s_next + Q) G' with A = I - G F: nothing is
+    subtracted.
     """
     F, Q, k = gains.s.F, gains.s.Q, len(G) - 1
-    P = repeat_last(gains.P, max(len(gains.P), len(G)))[:len(G)]
+    P = repeat_last(gains.P, max(len(gains.P), len(G)))[: len(G)]
     A = np.eye(len(F)) - G @ F
     own = A @ P @ A.swapaxes(1, 2) + G @ Q @ G.swapaxes(1, 2)
     smooth = np.empty((T, *F.shape))

@@ -2,6 +2,7 @@
 
 Serves the rows "2-state" of the bench.
 """
+
 from itertools import repeat
 
 import numpy as np
@@ -13,13 +14,16 @@ from .lazy import Gains, repeat_last, result_of
 from .numbers import filter_number
 from .scan import LONG, STEADY, radius, scan
 
-HEAD = 64               # steps that the loop may take over where a vague start costs digits
+HEAD = 64  # steps that the loop may take over where a vague start costs digits
 
 
 def filter_series(s, strict):
-    """The FilterResult of one run, or None where the loop is needed; strict: also where the data lie far from zero."""
+    """The FilterResult of one run, or None where the loop is needed.
+
+    strict: that is also where the data lie far from zero.
+    """
     if s.silent is not None and s.silent.all(axis=0).any():
-        return None                             # a sensor that never speaks
+        return None  # a sensor that never speaks
     parts = s.parts()
     found = [filter_part(part) for _, part in parts]
     if any(answer is None for answer in found):
@@ -29,7 +33,7 @@ def filter_series(s, strict):
         x[:, states] = settled(part, x_part, P)
     gains = Gains(s, together(s, parts, [P for _, P in found]))
     if not np.isfinite(x[-1]).all():
-        return None                             # too large for numbers: the loop says at which step
+        return None  # too large for numbers: the loop says at which step
     result = result_of(gains, x)
     if not strict:
         return result
@@ -71,7 +75,7 @@ def is_diagonal(R):
 
 
 def with_head(s, form):
-    """form(s) -> x, P; where a vague start costs it digits, the loop of filters.py does the first steps."""
+    """form(s) -> x, P; where a vague start costs it digits, the loop does the first steps."""
     found = form(s)
     if found is None:
         return None
@@ -92,8 +96,9 @@ def with_head(s, form):
 def by_the_loop(s, steps):
     """The FilterResult of the first steps."""
     R = s.R if s.R.ndim == 2 else s.R[:steps]
+    drive = None if s.drive is None else s.drive[:steps]
     model = LinearModel(s.F, s.H, s.Q, R, s.x0, s.P0, B=np.eye(len(s.x0)))
-    return filters.kalman_filter(model, s.z[:steps], None if s.drive is None else s.drive[:steps])
+    return filters.kalman_filter(model, s.z[:steps], drive)
 
 
 def filter_states(s):
@@ -121,10 +126,11 @@ def filter_states(s):
 
 def one_step(x, P, z, H, R):
     """The update with all sensors that are not silent -> x, P."""
-    y = [z_i - entries.dot(h, x) for z_i, h in zip(z, H)]       # first, as the loop does it: it keeps digits
+    # first all of y, as the loop does it: it keeps digits
+    y = [z_i - entries.dot(h, x) for z_i, h in zip(z, H)]
     change = [0.0] * len(x)
     for y_i, h, R_i in zip(y, H, R):
-        if y_i == y_i:                          # not NaN
+        if y_i == y_i:  # not NaN
             P, k, _ = entries.update(P, h, R_i)
             y_i = y_i - entries.dot(h, change)
             change = [c + k_j * y_i for c, k_j in zip(change, k)]
@@ -134,8 +140,8 @@ def one_step(x, P, z, H, R):
 def has_settled(s, P, before):
     """Are all changes of P that are still to come, together, below 1e-13 of P?
 
-    The changes shrink by rho^2 from step to step, rho being what a step leaves of an error: their sum is the next one
-    times 1 / (1 - rho^2).
+    The changes shrink by rho^2 from step to step, rho being what a step leaves of an error: their
+    sum is the next one times 1 / (1 - rho^2).
     """
     if abs(P[0][0] - before[0][0]) > 1e-13 * P[0][0]:
         return False
@@ -145,7 +151,7 @@ def has_settled(s, P, before):
     if (change > limit).any():
         return False
     rho = radius(s.F - rounding.gain_after(s, P) @ s.H @ s.F)
-    return rho <= STEADY and bool((change <= limit * (1 - rho ** 2)).all())
+    return rho <= STEADY and bool((change <= limit * (1 - rho**2)).all())
 
 
 def settled(s, head, P):

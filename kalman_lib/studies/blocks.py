@@ -2,13 +2,14 @@
 
 A worker may be another process or another computer, so a paper comes as the name of its module.
 """
+
 import importlib
 import inspect
 
 import numpy as np
 
-from .fast import kalman_filter
-from .models import LinearModel, subtract
+from ..fast import kalman_filter
+from ..models import LinearModel, subtract
 
 
 def monte_carlo_block(paper, params, assumed, runs, seed):
@@ -21,7 +22,7 @@ def monte_carlo_block(paper, params, assumed, runs, seed):
     shared = P.ndim == 3
     return {
         "runs": runs,
-        "rmse": np.sqrt(np.mean(e ** 2, axis=0)),
+        "rmse": np.sqrt(np.mean(e**2, axis=0)),
         "error": error,
         "P": runs * P if shared else P.sum(axis=-1),
         "nees": _nees(e, error, P),
@@ -77,6 +78,6 @@ def _nees(e, error, P):
     """
     if P.ndim == 3:
         return np.einsum("kii->k", np.linalg.solve(P, error))
-    columns = e.transpose(2, 0, 1)[..., np.newaxis]             # (runs, T, n, 1)
+    columns = e.transpose(2, 0, 1)[..., np.newaxis]  # (runs, T, n, 1)
     weighted = np.linalg.solve(P.transpose(3, 0, 1, 2), columns)[..., 0]
     return np.einsum("kir,rki->k", e, weighted)

@@ -1,4 +1,5 @@
 """Who does the work of a study, this process or any executor, and what remains if it stops."""
+
 import os
 import signal
 import traceback
@@ -9,7 +10,7 @@ from contextlib import suppress
 from multiprocessing import parent_process
 from threading import current_thread, main_thread
 
-ROUNDS = 3              # how often an executor gets a block that fails
+ROUNDS = 3  # how often an executor gets a block that fails
 
 
 def do(tasks, done, executor=None):
@@ -29,7 +30,7 @@ def do(tasks, done, executor=None):
             try:
                 with _progress(len(tasks), len(done)) as bar:
                     crew.work(bar)
-            finally:                            # from here on Ctrl+C takes nothing away
+            finally:  # from here on Ctrl+C takes nothing away
                 ctrl_c.hold()
         except KeyboardInterrupt:
             crew.stop()
@@ -116,7 +117,7 @@ def _settled(function, *arguments):
     try:
         future.set_result(function(*arguments))
     except Exception as error:
-        traceback.clear_frames(error.__traceback__)     # the arrays of a block that failed
+        traceback.clear_frames(error.__traceback__)  # the arrays of a block that failed
         future.set_exception(error)
     return future
 
@@ -135,6 +136,7 @@ def _error(future):
 
 # --- Ctrl+C --------------------------------------------------------------------------------------
 
+
 class _OneCtrlC:
     """Lets one Ctrl+C through, and none after hold(): pressing twice costs nothing of the study.
 
@@ -151,16 +153,16 @@ class _OneCtrlC:
         self.held = True
 
     def __exit__(self, *error):
-        with suppress(KeyboardInterrupt):       # pressed while the old meaning comes back
+        with suppress(KeyboardInterrupt):  # pressed while the old meaning comes back
             self._set(self.before)
 
     def _set(self, handler):
         if callable(self.before):
-            with suppress(ValueError):          # not the main thread
+            with suppress(ValueError):  # not the main thread
                 signal.signal(signal.SIGINT, handler)
 
     def _pressed(self, *arguments):
-        if self.held or os.getpid() != self.process:        # a worker may be a copy of this one
+        if self.held or os.getpid() != self.process:  # a worker may be a copy of this one
             return
         try:
             self.before(*arguments)
@@ -187,13 +189,16 @@ def _in_a_worker(function, *arguments):
 
 # --- what is told --------------------------------------------------------------------------------
 
+
 def _broken(error, done, total):
     """Two sentences, en and id, on an executor that broke."""
     en, id = _words(error)
-    return (f"A process of the executor died, or the executor failed otherwise ({en}); {done} of "
-            f"{total} blocks are finished: go on with resume= and another executor.",
-            f"Satu proses eksekutor mati, atau eksekutornya gagal karena hal lain ({id}); {done} "
-            f"dari {total} blok selesai: lanjutkan dengan resume= dan eksekutor lain.")
+    return (
+        f"A process of the executor died, or the executor failed otherwise ({en}); {done} of "
+        f"{total} blocks are finished: go on with resume= and another executor.",
+        f"Satu proses eksekutor mati, atau eksekutornya gagal karena hal lain ({id}); {done} "
+        f"dari {total} blok selesai: lanjutkan dengan resume= dan eksekutor lain.",
+    )
 
 
 def _failed(errors, done, total):
@@ -204,10 +209,12 @@ def _failed(errors, done, total):
     names = ", ".join(str(number) for number in numbers[:10])
     if len(numbers) > 10:
         names += ", ..."
-    return (f"Blocks that failed: {names} ({first}: {en}); {done} of {total} are finished, and "
-            "resume= tries the failed ones again.",
-            f"Blok yang gagal: {names} ({first}: {id}); {done} dari {total} selesai, dan resume= "
-            "mencoba lagi yang gagal.")
+    return (
+        f"Blocks that failed: {names} ({first}: {en}); {done} of {total} are finished, and "
+        "resume= tries the failed ones again.",
+        f"Blok yang gagal: {names} ({first}: {id}); {done} dari {total} selesai, dan resume= "
+        "mencoba lagi yang gagal.",
+    )
 
 
 def _words(error):

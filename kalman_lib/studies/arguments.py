@@ -1,4 +1,5 @@
 """What monte_carlo and mismatch_map refuse: one sentence in English, the same in Indonesian."""
+
 import textwrap
 from dataclasses import fields, is_dataclass
 from inspect import isclass, ismodule
@@ -18,16 +19,23 @@ def check_call(paper, params, runs, executor):
 
 def _check_paper(paper):
     if not ismodule(paper):
-        _refuse("paper", paper, "a module with Params, model and simulate",
-                "modul dengan Params, model, dan simulate")
+        _refuse(
+            "paper",
+            paper,
+            "a module with Params, model and simulate",
+            "modul dengan Params, model, dan simulate",
+        )
     missing = [name for name in ("model", "simulate") if not callable(getattr(paper, name, None))]
     if not is_dataclass(getattr(paper, "Params", None)):
         missing.insert(0, "Params")
     if missing:
         names = ", ".join(missing)
-        _refuse("paper", paper.__name__,
-                f"a module with Params (a dataclass), model and simulate, not one without {names}",
-                f"modul dengan Params (dataclass), model, dan simulate, bukan yang tanpa {names}")
+        _refuse(
+            "paper",
+            paper.__name__,
+            f"a module with Params (a dataclass), model and simulate, not one without {names}",
+            f"modul dengan Params (dataclass), model, dan simulate, bukan yang tanpa {names}",
+        )
 
 
 def check_params(name, value, paper):
@@ -38,41 +46,58 @@ def check_params(name, value, paper):
 
 
 def _check_executor(executor):
-    if hasattr(executor, "get_executor"):       # the Client of Dask has a submit of another kind
-        _refuse("executor", executor, "what its get_executor() gives",
-                "hasil get_executor() darinya")
+    if hasattr(executor, "get_executor"):  # the Client of Dask has a submit of another kind
+        _refuse(
+            "executor", executor, "what its get_executor() gives", "hasil get_executor() darinya"
+        )
     if isclass(executor) or not callable(getattr(executor, "submit", None)):
-        _refuse("executor", executor, "None or an Executor, which has submit",
-                "None atau sebuah Executor, yang punya submit")
+        _refuse(
+            "executor",
+            executor,
+            "None or an Executor, which has submit",
+            "None atau sebuah Executor, yang punya submit",
+        )
 
 
 def check_rng(rng):
     """ValueError unless seeds can be spawned from rng."""
-    if not (isinstance(rng, np.random.Generator)
-            and isinstance(rng.bit_generator.seed_seq, np.random.SeedSequence)):
-        _refuse("rng", rng,
-                "a numpy Generator with a SeedSequence, as np.random.default_rng(1) is; "
-                "None only with resume=",
-                "Generator numpy dengan SeedSequence, seperti np.random.default_rng(1); "
-                "None hanya bersama resume=")
+    is_generator = isinstance(rng, np.random.Generator)
+    if is_generator and isinstance(rng.bit_generator.seed_seq, np.random.SeedSequence):
+        return
+    _refuse(
+        "rng",
+        rng,
+        "a numpy Generator with a SeedSequence, as np.random.default_rng(1) is; "
+        "None only with resume=",
+        "Generator numpy dengan SeedSequence, seperti np.random.default_rng(1); "
+        "None hanya bersama resume=",
+    )
 
 
 def check_axes(assumed, paper):
     """ValueError unless assumed is a dict: two fields of the Params, each with numbers."""
     names = [field.name for field in fields(paper.Params)]
     if not isinstance(assumed, dict) or len(assumed) != 2 or not set(assumed) <= set(names):
-        _refuse("assumed", assumed, f"a dict with two of {', '.join(names)}",
-                f"dict dengan dua dari {', '.join(names)}")
+        _refuse(
+            "assumed",
+            assumed,
+            f"a dict with two of {', '.join(names)}",
+            f"dict dengan dua dari {', '.join(names)}",
+        )
     for name, values in assumed.items():
         if not _is_series(values):
-            _refuse(f"assumed.{name}", values, "a list or array of one or more numbers",
-                    "daftar atau array berisi satu bilangan atau lebih")
+            _refuse(
+                f"assumed.{name}",
+                values,
+                "a list or array of one or more numbers",
+                "daftar atau array berisi satu bilangan atau lebih",
+            )
 
 
 def _is_series(values):
     try:
         array = np.array(values)
-    except ValueError:                          # lists of different lengths
+    except ValueError:  # lists of different lengths
         return False
     return array.ndim == 1 and array.size > 0 and array.dtype.kind in "biuf"
 
@@ -94,13 +119,16 @@ def check_same(resume, study):
         pairs = [(name, _short(there[name]), _short(here[name])) for name in differs]
         en = ", ".join(f"{name} is {old} there and {new} here" for name, old, new in pairs)
         id = ", ".join(f"{name} di sana {old}, di sini {new}" for name, old, new in pairs)
-        raise ValueError(f"resume= belongs to another study: {en}. / "
-                         f"resume= berasal dari studi lain: {id}.")
+        raise ValueError(
+            f"resume= belongs to another study: {en}. / resume= berasal dari studi lain: {id}."
+        )
     runs, before = study.planned, resume.planned
     if runs < before:
-        raise ValueError(f"runs = {runs}: the study in resume= has {before}, and a study can only "
-                         f"grow. / runs = {runs}: studi dalam resume= punya {before}, dan sebuah "
-                         "studi hanya dapat bertambah.")
+        raise ValueError(
+            f"runs = {runs}: the study in resume= has {before}, and a study can only "
+            f"grow. / runs = {runs}: studi dalam resume= punya {before}, dan sebuah "
+            "studi hanya dapat bertambah."
+        )
 
 
 def _identity(study):

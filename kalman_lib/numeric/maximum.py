@@ -1,19 +1,16 @@
-"""Numerical analysis for tuning.py, which says what it is for: the top of a function of named
-numbers and how well it is known, the derivatives of a function, the digits of a Riccati equation.
-"""
+"""The top of a function of named numbers, and how well it is known."""
+
 import warnings
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-SPAN = 1e12             # a positive parameter is sought from start / SPAN to start * SPAN
-FLAT = 1e-6             # a difference of log-likelihood that no data can tell from none
-DROP = 1e-3             # the fall of log-likelihood over one step of the second differences
-WEAK = 3e-6             # below this lies the rounding of second differences
+SPAN = 1e12  # a positive parameter is sought from start / SPAN to start * SPAN
+FLAT = 1e-6  # a difference of log-likelihood that no data can tell from none
+DROP = 1e-3  # the fall of log-likelihood over one step of the second differences
+WEAK = 3e-6  # below this lies the rounding of second differences
 
-
-# --- the top ------------------------------------------------------------------------------------
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Fit:
@@ -27,6 +24,7 @@ class Fit:
     peaks           the log-likelihoods that the searches from the several starts have reached
     model           build(**values); None from `maximise`
     """
+
     values: dict
     errors: dict
     log_likelihood: float
@@ -106,9 +104,15 @@ class _Surface:
     def climb(self, v):
         """The top that L-BFGS-B reaches from v."""
         from scipy.optimize import minimize
-        found = minimize(lambda v: min(-self.height(v), 1e100), v, method="L-BFGS-B", jac="3-point",
-                         bounds=list(zip(self.low, self.high)),
-                         options={"ftol": 1e-12, "gtol": 1e-6, "maxiter": 500})
+
+        found = minimize(
+            lambda v: min(-self.height(v), 1e100),
+            v,
+            method="L-BFGS-B",
+            jac="3-point",
+            bounds=list(zip(self.low, self.high)),
+            options={"ftol": 1e-12, "gtol": 1e-6, "maxiter": 500},
+        )
         return found.x if self.height(found.x) >= self.height(v) else v
 
     def moved(self, v, *moves):
@@ -130,9 +134,11 @@ def _starts(surface, factors):
     others.sort(key=surface.height, reverse=True)
     starts = [v for v in [surface.start, *others[:3]] if surface.height(v) > -np.inf]
     if not starts:
-        surface.likelihood(**surface.values(surface.start))         # which may say why
-        raise ValueError("start: the measurements have no likelihood there, nor near. / start: "
-                         "pengukuran tidak mempunyai kebolehjadian di sana maupun di dekatnya.")
+        surface.likelihood(**surface.values(surface.start))  # which may say why
+        raise ValueError(
+            "start: the measurements have no likelihood there, nor near. / start: "
+            "pengukuran tidak mempunyai kebolehjadian di sana maupun di dekatnya."
+        )
     return starts
 
 
@@ -142,9 +148,12 @@ def _to_bounds(surface, v):
     inside = np.ones(len(v), dtype=bool)
     for i in np.flatnonzero(surface.positive):
         enough = surface.height(v) - FLAT
-        ends = [end for end in (surface.low[i], surface.high[i])
-                if surface.moved(v, (i, end - v[i])) >= enough]
-        if len(ends) == 1:                  # both: the likelihood does not depend on it
+        ends = [
+            end
+            for end in (surface.low[i], surface.high[i])
+            if surface.moved(v, (i, end - v[i])) >= enough
+        ]
+        if len(ends) == 1:  # both: the likelihood does not depend on it
             v[i] = ends[0]
             inside[i] = False
     return v, inside
@@ -180,8 +189,11 @@ def _derivatives(surface, v, inside):
         fall = 2 * top - surface.moved(v, (i, h[a])) - surface.moved(v, (i, -h[a]))
         curvature[a, a] = fall / h[a] ** 2 if fall > 1e-9 * (1 + abs(top)) else 0
         for b, j in enumerate(inside[:a]):
-            corners = [s * t * surface.moved(v, (i, s * h[a]), (j, t * h[b]))
-                       for s in (1, -1) for t in (1, -1)]
+            corners = [
+                s * t * surface.moved(v, (i, s * h[a]), (j, t * h[b]))
+                for s in (1, -1)
+                for t in (1, -1)
+            ]
             curvature[a, b] = curvature[b, a] = -sum(corners) / (4 * h[a] * h[b])
     return slope, curvature
 
@@ -216,76 +228,20 @@ def _inverse(curvature):
 def check_start(start, free):
     """ValueError unless start is {name: number}, positive where the name is not in free."""
     if not isinstance(start, dict) or not start:
-        raise ValueError("start must be a dict of names and values. / "
-                         "start harus berupa dict berisi nama dan nilai.")
+        raise ValueError(
+            "start must be a dict of names and values. / "
+            "start harus berupa dict berisi nama dan nilai."
+        )
     for name in free:
         if name not in start:
-            raise ValueError(f"free names {name!r}, which start does not hold. / "
-                             f"free menyebut {name!r}, yang tidak ada di start.")
+            raise ValueError(
+                f"free names {name!r}, which start does not hold. / "
+                f"free menyebut {name!r}, yang tidak ada di start."
+            )
     for name, value in start.items():
         number = isinstance(value, (int, float, np.number)) and np.isfinite(value)
         if not number or (name not in free and not value > 0):
-            raise ValueError(f"{name} = {value!r}: the start must be a number above 0. / "
-                             f"{name} = {value!r}: nilai awal harus bilangan di atas 0.")
-
-
-# --- derivatives --------------------------------------------------------------------------------
-
-@np.errstate(all="ignore")
-def differences(function, x, value, residual):
-    """Central differences (m, n) of function at x, and how far each can be trusted (m, n).
-
-    Every step from large to tiny is tried, each a quarter of the one before; for each entry that
-    one counts which differs least from the next, plus what rounding does to it.
-    """
-    numeric = np.empty((len(value), len(x)))
-    doubt = np.empty_like(numeric)
-    for j, x_j in enumerate(np.abs(x)):
-        largest = 0.1 * max(x_j, 1)
-        smallest = 1e-8 * np.clip(x_j or 1, 1e-12, 1)
-        h = largest / 4.0 ** np.arange(np.log(largest / smallest) / np.log(4) + 1)
-        slopes = [_slope(function, x, j, h_k, residual) for h_k in h]
-        D = np.array([np.broadcast_to(slope, len(value)) for slope in slopes])
-        rounding = 1e-15 * (np.abs(value) + np.abs(D[1:]) * x_j) / h[1:, np.newaxis]
-        trust = np.abs(D[:-1] - D[1:]) + rounding
-        best = np.argmin(np.where(np.isnan(trust), np.inf, trust), axis=0)
-        entries = np.arange(len(value))
-        numeric[:, j] = D[best + 1, entries]
-        doubt[:, j] = trust[best, entries]
-    return numeric, doubt
-
-
-def _slope(function, x, j, h, residual):
-    """(function(x + h) - function(x - h)) / (2 h) by coordinate j; NaN outside of its domain."""
-    up, down = x.copy(), x.copy()
-    up[j] += h
-    down[j] -= h
-    try:
-        return residual(function(up), function(down)) / (up[j] - down[j])
-    except (ValueError, ArithmeticError):
-        return np.nan
-
-
-# --- the Riccati equation -----------------------------------------------------------------------
-
-def settle(F, H, Q, R, P_pred):
-    """P_pred (n, n), refined by Newton's method and verified; LinAlgError where it does not hold.
-
-    The filter with the gain K of P_pred settles at P_pred = A P_pred A' + W, which is summed by
-    doubling: 1, 2, 4, ... steps at once (Hewer, 1971).
-    """
-    for _ in range(3):
-        before = P_pred
-        K = np.linalg.solve(H @ before @ H.T + R, H @ before).T
-        A = F - F @ K @ H
-        if not np.abs(np.linalg.eigvals(A)).max() < 1 - 1e-12:
-            raise np.linalg.LinAlgError
-        P_pred = F @ K @ R @ K.T @ F.T + Q
-        for _ in range(45):
-            P_pred = P_pred + A @ P_pred @ A.T
-            A = A @ A
-        P_pred = (P_pred + P_pred.T) / 2
-    sigma = np.sqrt(np.diagonal(P_pred))
-    if not (np.abs(P_pred - before) <= 1e-8 * np.outer(sigma, sigma)).all():
-        raise np.linalg.LinAlgError
-    return P_pred
+            raise ValueError(
+                f"{name} = {value!r}: the start must be a number above 0. / "
+                f"{name} = {value!r}: nilai awal harus bilangan di atas 0."
+            )
