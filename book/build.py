@@ -32,6 +32,7 @@ REFERENCES = "book/references"  # the page with the bibliography
 BOOK = Path(__file__).resolve().parent
 sys.path[:0] = [str(BOOK / "_make"), str(BOOK / "_ext")]
 try:
+    import bekal
     import cover
     import explorers
     import jupyter_book  # noqa: F401  (these two only to see that they are there)
@@ -109,6 +110,7 @@ def prepare():
     offline.copy_vendor()
     explorers.check()
     cover.draw()
+    bekal.draw()
 
 
 def build_languages(again):

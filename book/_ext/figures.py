@@ -21,6 +21,7 @@ from texts import LANGUAGES
 logger = logging.getLogger(__name__)
 EXPLORER = "<kalman-explorer"
 CAPTION = "book-caption"
+UNNUMBERED = "unnumbered"
 OLD_ALT = re.compile(r'(<img\b[^>]*?)\s+alt="[^"]*"')
 
 
@@ -105,6 +106,23 @@ def join(caption, number):
     caption.parent.remove(caption)
 
 
+def is_unnumbered(node):
+    """A figure with `:figclass: unnumbered`: no text refers to it."""
+    return isinstance(node, nodes.figure) and UNNUMBERED in node["classes"]
+
+
+def take_ids(app, doctree):
+    """Sphinx counts the figures that have an id, from the first page to the last."""
+    for figure in doctree.findall(is_unnumbered):
+        figure["ids"] = []
+
+
+def give_ids(app, doctree, docname):
+    """When all are counted, an id again: without one Sphinx would warn while writing."""
+    for number, figure in enumerate(doctree.findall(is_unnumbered), start=1):
+        figure["ids"] = [f"picture-{number}"]
+
+
 def image_size(app, src):
     """Width and height of an image in pixels, or None for what Pillow cannot read (SVG)."""
     try:
@@ -139,5 +157,7 @@ def complete_images(app, pagename, templatename, context, doctree):
 def setup(app):
     app.connect("source-read", take_words, priority=600)  # after languages.py
     app.connect("doctree-read", place_words)
+    app.connect("doctree-read", take_ids)
+    app.connect("doctree-resolved", give_ids)
     app.connect("html-page-context", complete_images)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -117,7 +117,10 @@ def name_sections(app, doctree):
         doctree.ids[slug] = section
         # a Markdown link page.ipynb#the-gain finds it, too, in both languages
         slugs = app.env.metadata[app.env.docname].setdefault("myst_slugs", {})
-        slugs[slug] = (section.line, slug, section[0].astext())
+        # and so it finds a name that the source gives, such as (bekal-mean)=
+        given = [name for name in section["names"] if doctree.nametypes.get(name)]
+        for name in (slug, *given):
+            slugs[name] = (section.line, slug, section[0].astext())
 
 
 def free_name(base, section, used, doctree):

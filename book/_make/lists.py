@@ -36,10 +36,9 @@ def contents():
 
 
 def chapters():
-    """The chapters: the top pages of the first part."""
+    """The chapters: the top pages of the first part that begins with a notebook."""
     _, parts = contents()
-    top, _ = parts[0]
-    return top
+    return next(top for top, _ in parts if top[0].startswith("notebooks/"))
 
 
 def title(page, language):
