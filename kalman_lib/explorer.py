@@ -142,8 +142,6 @@ class Explorer(anywidget.AnyWidget):
 
     def _image(self):
         figure = picture(self.paper, self.view, self.params)
-        if figure is None:
-            return ""
         content = base64.b64encode(figure.png(dpi=150)).decode()
         return f'<img alt="" src="data:image/png;base64,{content}">'
 

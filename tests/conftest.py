@@ -17,6 +17,9 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "book" / "_ext"))
 
+PATIENCE = 180_000  # ms; a wait ends as soon as its condition holds, this is for a busy machine
+START_AGAIN = "document.querySelectorAll('kalman-explorer').forEach(e => e.explorer?.reset())"
+
 # What Chromium leaves out. The first two are hidden pages that belong to the address bar: with them
 # every window that a test opens loads three pages instead of one. The others are on Playwright's
 # own list, which ours replaces.
@@ -70,8 +73,22 @@ def browser():
                 f"--disable-features={','.join(LEFT_OUT)}",
             ],
         )
+        started.new_context = patient(started.new_context)
+        started.new_page = patient(started.new_page)
         yield started
         started.close()
+
+
+def patient(make):
+    """The browser's function that makes a context or a page, with time for a busy machine."""
+
+    @functools.wraps(make)
+    def made(**options):
+        context = make(**options)
+        context.set_default_timeout(PATIENCE)
+        return context
+
+    return made
 
 
 @pytest.fixture(scope="session")
@@ -147,7 +164,7 @@ def listen(page):
 def opened(site, server, chromium):
     """A page of the book -> a browser page that is ready, and what went wrong on it.
 
-    Kept open for all tests of a file.
+    Kept open for all tests of a file; each finds its explorers as a reader does at first.
     """
     kept, contexts = {}, []
     usual = {
@@ -167,6 +184,8 @@ def opened(site, server, chromium):
             page.goto(f"{base}/{path.relative_to(site).as_posix()}")
             page.evaluate("document.fonts.ready.then(() => true)")
             kept[key] = page, trouble
+        else:
+            kept[key][0].evaluate(START_AGAIN)
         return kept[key]
 
     yield open_page

@@ -9,7 +9,7 @@ import sys
 import time
 import urllib.request
 
-from conftest import ROOT
+from conftest import PATIENCE, ROOT
 
 WATCH = """
   // what the module of the explorer (a blob) has opened in the page and not closed again
@@ -40,7 +40,6 @@ SAME_PICTURE = """canvas => {
     return copy.getImageData(0, 0, canvas.width, canvas.height).data.reduce((sum, value, i) =>
       (sum * 31 + value * (i & 3)) | 0, 7);
   }"""
-PATIENCE = 60_000  # ms; every wait ends as soon as its condition holds
 TOKEN = "book"
 KERNEL = {"name": "python3", "display_name": "Python 3", "language": "python"}
 OWN_FOLDERS = (

@@ -66,7 +66,7 @@ def test_the_switcher_leads_to_the_same_section_and_back(scheme, bases, chromium
         assert switcher.inner_text() == lang_name and switcher.get_attribute("lang") == language
         box = switcher.bounding_box()  # not switcher.click(), which may scroll
         page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-        page.wait_for_url(f"**/{language}/{name}#{section}", timeout=5000)
+        page.wait_for_url(f"**/{language}/{name}#{section}")
         assert page.evaluate("localStorage.getItem('book-language')") == language
         assert (
             -5
@@ -170,9 +170,7 @@ def test_texts_that_appear_on_a_click(server, chromium, site):
     assert button.get_attribute("data-tooltip") == "Salin"
     button.scroll_into_view_if_needed()
     button.dispatch_event("click")  # it shows only while the mouse is over its code
-    page.wait_for_selector(
-        "button.copybtn[data-tooltip='Tersalin!']", state="attached", timeout=5000
-    )
+    page.wait_for_selector("button.copybtn[data-tooltip='Tersalin!']", state="attached")
     assert "Copy" not in page.evaluate(
         "[...document.querySelectorAll('.copybtn')].map(b => b.innerHTML).join()"
     )

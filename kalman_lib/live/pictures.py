@@ -1,5 +1,6 @@
 """The still picture of every explorer: for paper, the stored notebook, a page without a script."""
 
+import importlib
 from dataclasses import replace
 
 import numpy as np
@@ -15,9 +16,25 @@ LEVELS = (1.1, 1.3, 1.6, 2, 2.5, 3)  # of RMSE divided by the best
 
 
 def picture(paper, view, p):
-    """The figure of one view for the Params p; None if there is none."""
-    draw = PICTURES.get((paper, view))
-    return draw(p, np.random.default_rng(SEED)) if draw else None
+    """The figure of one view for the Params p."""
+    draw = PICTURES.get((paper, view)) or of_any_paper(paper)
+    return draw(p, np.random.default_rng(SEED))
+
+
+def of_any_paper(paper):
+    """What is drawn for a view without a picture of its own: the first sensor, filtered."""
+    room = importlib.import_module(f"..papers.{paper}", __package__)
+
+    def draw(p, rng):
+        made = room.simulate(p, rng)
+        result = kalman_filter(room.model(p), made.z, made.u)
+        steps = np.arange(1, len(made.z) + 1)
+        H = result.H[:, 0]  # of the first sensor
+        x = np.sum(H * result.x, axis=1)
+        sigma = np.sqrt(np.einsum("ti,tij,tj->t", H, result.P, H))
+        return plots.series(steps, made.z[:, 0], x, sigma, np.sum(H * made.x, axis=1))
+
+    return draw
 
 
 def theory_steps(p, rng):
