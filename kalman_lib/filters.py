@@ -1,7 +1,11 @@
 """The Kalman filter and the smoother, written as the equations.
 
-One loop serves the linear and the extended filter: the model hands over F and H, constant or
-evaluated at the estimate. Source: Kalman (1960).
+    predict     x_pred = F x + B u         P_pred = F P F' + Q
+    update      K = P_pred H' S^-1         with y = z - H x_pred and S = H P_pred H' + R
+                x = x_pred + K y           P = (I - K H) P_pred
+
+One loop, `kalman_filter`, serves the linear and the extended filter: the model hands over F and H,
+constant or evaluated at the estimate. Source: Kalman (1960).
 
 Every covariance is kept as a product P = L L' of its root L (roots.py). So it stays a covariance,
 however small Q and R or large P0 are.
@@ -17,7 +21,7 @@ from .checks import (
     check_noise,
     check_probability,
     check_still_finite,
-    estimate,
+    checked_estimate,
     innovation,
     measurement,
     series,
@@ -54,7 +58,7 @@ def predict(model, x, P, u=None, k=0):
     x (n,), P (n, n), u (l,) or None; k is the number of the step, where the model's matrices change
     from step to step.
     """
-    x, P = estimate("x", x, "P", P, len(model.x0))
+    x, P = checked_estimate("x", x, "P", P, len(model.x0))
     x_pred, F = model.transition(x, u, k)  # F x + B u
     P_pred = add_up(F @ root_of(P), root_of(at(model.Q, k)))  # F P F' + Q
     return Prediction(x_pred, P_pred, F)
@@ -70,7 +74,7 @@ def update(model, x_pred, P_pred, z, R=None, u=None, k=0):
 
     ValueError: z is not (m,) or infinite.
     """
-    x_pred, P_pred = estimate("x_pred", x_pred, "P_pred", P_pred, len(model.x0))
+    x_pred, P_pred = checked_estimate("x_pred", x_pred, "P_pred", P_pred, len(model.x0))
     z_pred, H = model.measure(x_pred, u, k)
     R_k = at(model.R, k)
     R = R_k if R is None else check_noise("R", R, R_k.shape)
@@ -85,7 +89,8 @@ def _blend(x_pred, P_pred, y, H, S, R):
     heard = np.isfinite(y) & np.isfinite(np.diag(R))
     if heard.all():
         K, P = gain(P_pred, H, R)  # P_pred H' S^-1 and (I - K H) P_pred
-        return Update(x_pred + K @ y, P, y, S, K)
+        x = x_pred + K @ y
+        return Update(x, P, y, S, K)
     K, P = np.zeros(H.T.shape), P_pred
     if heard.any():
         K[:, heard], P = gain(P_pred, H[heard], R[np.ix_(heard, heard)])

@@ -19,8 +19,8 @@ from .checks import (
     check_callable,
     check_finite,
     check_shape,
+    checked_covariances,
     matrix,
-    noise,
     of_x_and_u,
     returned,
     shape_message,
@@ -73,7 +73,7 @@ class LinearModel:
             raise ValueError(shape_message("H", H.shape, f"(m, {n})"))
         if B is not None and B.shape[-2] != n:
             raise ValueError(shape_message("B", B.shape, f"({n}, l)"))
-        Q, R, P0 = noise(self, n, m)
+        Q, R, P0 = checked_covariances(self, n, m)
         freeze(self, F=F, H=H, Q=Q, R=R, x0=x0, P0=P0, B=B)
         steps_of(self)
 
@@ -127,7 +127,7 @@ class NonlinearModel:
         x0 = state("x0", self.x0)
         check_callable("residual", self.residual)
         m = matrix("R", self.R).shape[-1] if np.ndim(self.R) > 1 else 1
-        Q, R, P0 = noise(self, len(x0), m)
+        Q, R, P0 = checked_covariances(self, len(x0), m)
         freeze(self, Q=Q, R=R, x0=x0, P0=P0)
         steps_of(self)
         for name in ("f", "F", "h", "H"):

@@ -5,7 +5,6 @@ Who may import whom is held by test_imports.py, names and statements by ruff (`m
 
 import ast
 import json
-import tomllib
 from pathlib import Path
 
 import pytest
@@ -16,18 +15,9 @@ CODE_CELL, FUNCTION, FILE = 12, 40, 300  # lines
 CORE = ("models.py", "filters.py", "simulate.py", "metrics.py", "tuning.py")
 CORE_LINES = 900  # together: what a reader of all chapters may have to read
 
-# Rooms that are being rebuilt: the list in pyproject.toml, which `make lint` leaves out, too
-EXCLUDED = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["ruff"]["extend-exclude"]
-UNFINISHED = {name for name in EXCLUDED if name.startswith(("kalman_lib/", "tests/"))}
-
 
 def name_of(path):
     return path.relative_to(ROOT).as_posix()
-
-
-def is_finished(path):
-    name = name_of(path)
-    return not any(name == room or name.startswith(f"{room}/") for room in UNFINISHED)
 
 
 def python_files():
@@ -38,7 +28,7 @@ def python_files():
     return sorted(path for path in found if "node_modules" not in path.parts)
 
 
-FILES = [path for path in python_files() if is_finished(path)]
+FILES = python_files()
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 each_file = pytest.mark.parametrize("path", FILES, ids=name_of)
 
@@ -100,8 +90,3 @@ def test_code_cells_fit_a_narrow_page(path):
         place = f"{name_of(path)}, cell {number}"
         assert len(lines) <= CODE_CELL, f"{place}: {len(lines)} lines"
         assert widest <= CODE_CELL_LINE, f"{place}: {widest} characters in a line"
-
-
-def test_unfinished_rooms_exist():
-    """Nothing stays on the list after its room is gone."""
-    assert [room for room in sorted(UNFINISHED) if not (ROOT / room).exists()] == []

@@ -16,13 +16,13 @@ from .arrays import (
     shape_message,
     state,
 )
-from .covariances import check_covariance, correlations, noise
+from .covariances import check_covariance, checked_covariances, correlations
 from .filtering import (
     check_filter,
     check_noise,
     check_probability,
     check_still_finite,
-    estimate,
+    checked_estimate,
     measurement,
 )
 from .functions import check_callable, innovation, of_x_and_u, returned, shaped
@@ -39,12 +39,12 @@ __all__ = [
     "check_shape",
     "check_still_finite",
     "correlations",
-    "estimate",
+    "checked_estimate",
     "finite_array",
     "innovation",
     "matrix",
     "measurement",
-    "noise",
+    "checked_covariances",
     "numbers",
     "of_x_and_u",
     "returned",

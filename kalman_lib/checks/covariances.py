@@ -66,7 +66,7 @@ def _without_infinite(name, R):
     return R
 
 
-def noise(model, n, m):
+def checked_covariances(model, n, m):
     """Q, R and P0 of the model, checked: Q, P0 (n, n) covariances, R (m, m) positive definite."""
     Q = check_finite("Q", matrix("Q", model.Q, rows=n, columns=n))
     R = matrix("R", model.R, rows=m, columns=m)

@@ -24,7 +24,7 @@ def check_filter(model, adapt_R):
         )
 
 
-def estimate(name_x, x, name_P, P, n):
+def checked_estimate(name_x, x, name_P, P, n):
     """x (n,) and P (n, n) as the filter left them.
 
     If somebody wrote them down, then they are checked.
