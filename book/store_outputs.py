@@ -22,7 +22,9 @@ def store(path):
     """Execute one notebook in its own folder; what differs from run to run is not kept."""
     notebook = nbformat.read(path, as_version=4)
     run(notebook, path.parent)
+    about = {name: value for name, value in notebook.metadata.items() if name == "book"}
     notebook.metadata = {
+        **about,
         "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
         "language_info": {"name": "python"},
     }

@@ -92,7 +92,8 @@ def download_notebook(notebook, language, hint=""):
     if hint:
         below_title = {"cell_type": "markdown", "id": "needed", "metadata": {}, "source": hint}
         notebook["cells"].insert(1, below_title)
-    notebook["metadata"].pop("widgets", None)
+    for name in ("widgets", "book"):
+        notebook["metadata"].pop(name, None)
     return notebook
 
 

@@ -1,8 +1,8 @@
-"""The lists that name every chapter: python book/_make/lists.py writes that of README.md.
+"""The lists that name every chapter, in README.md and book/intro.md: python book/_make/lists.py.
 
-The order is that of _toc.yml, the titles are the first headings of the chapters. Lists with more
-to say than a title (intro.md, errata.md) are written by hand; tests/test_lists.py names what they
-miss.
+The order is that of _toc.yml, the titles are the first headings of the chapters, and the sentence
+about a chapter stands in the metadata of its notebook: {"book": {"sentence": {"id": ..., "en":
+...}}}. The errata, with more to say, are written by hand; tests/test_lists.py names what they miss.
 """
 
 import json
@@ -16,7 +16,8 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "book" / "_ext"))
 from texts import headings, source_in  # noqa: E402
 
-README_LIST = re.compile(r"(<!-- chapters: make lists -->\n).*?(<!-- end -->)", re.DOTALL)
+README, INTRO = ROOT / "README.md", ROOT / "book" / "intro.md"
+LIST = re.compile(r"(<!-- chapters: make lists -->\n).*?(<!-- end -->)", re.DOTALL)
 
 
 def pages(entries):
@@ -66,11 +67,34 @@ def readme_list():
     return "".join(lines)
 
 
-def with_list(text):
-    """README.md with the list as it should be."""
-    return README_LIST.sub(lambda marks: marks[1] + readme_list() + marks[2], text)
+def sentence(page, language):
+    """What the first page of the book says about a chapter."""
+    metadata = json.loads((ROOT / f"{page}.ipynb").read_text(encoding="utf-8"))["metadata"]
+    return metadata["book"]["sentence"][language]
+
+
+def intro_list(language):
+    """One numbered line a chapter, its title and what it is about."""
+    lines = []
+    for number, page in enumerate(chapters(), start=1):
+        link = f"[**{title(page, language)}**](../{page}.ipynb)"
+        lines.append(f"{number}. {link}. {sentence(page, language)}\n")
+    return "".join(lines)
+
+
+def with_lists(text, *lists):
+    """A text with its lists, one after the other, as they should be."""
+    wanted = iter(lists)
+    return LIST.sub(lambda marks: marks[1] + next(wanted) + marks[2], text)
+
+
+def wanted():
+    """{path: its text with the lists as they should be}."""
+    readme = with_lists(README.read_text(encoding="utf-8"), readme_list())
+    both = intro_list("id"), intro_list("en")
+    return {README: readme, INTRO: with_lists(INTRO.read_text(encoding="utf-8"), *both)}
 
 
 if __name__ == "__main__":
-    readme = ROOT / "README.md"
-    readme.write_text(with_list(readme.read_text(encoding="utf-8")), encoding="utf-8")
+    for path, text in wanted().items():
+        path.write_text(text, encoding="utf-8")
