@@ -20,6 +20,7 @@ KINDS = {  # what an exercise of each kind has beside what all of them have
     "choice": {"choices"},
     "code": {"accept", "given", "start"},
 }
+OPTIONAL = {"unit", "accept", "given", "start"}
 COMMON = {"kind", "answer", "mistakes", "hint", "second", "solution"}
 CALL = re.compile(r'check\("(\d+\.\d+)", \.\.\.\)')
 QUESTION = {"id": r"^\*\*Latihan {}\.\*\*", "en": r"^\*\*Exercise {}\.\*\*"}
@@ -88,18 +89,23 @@ def as_json(folder=NOTEBOOKS):
 def problems(exercise):
     """One sentence for everything that the metadata lacks or has too much."""
     yield from problems_of_place(exercise)
-    kind, given = exercise.about.get("kind"), set(exercise.about)
+    for problem in problems_of_metadata(exercise.about):
+        yield f"exercise {exercise.number}: {problem}"
+
+
+def problems_of_metadata(about):
+    kind, given = about.get("kind"), set(about)
     if kind not in KINDS:
-        yield f"exercise {exercise.number}: the kind is one of {', '.join(KINDS)}, not {kind!r}"
+        yield f"the kind is one of {', '.join(KINDS)}, not {kind!r}"
         return
-    optional = {"unit", "accept", "given", "start"}
-    for name in sorted((COMMON | KINDS[kind]) - optional - given):
-        yield f"exercise {exercise.number}: {name!r} is missing"
+    missing = (COMMON | KINDS[kind]) - OPTIONAL - given
+    for name in sorted(missing):
+        yield f"{name!r} is missing"
     for name in sorted(given - COMMON - KINDS[kind]):
-        yield f"exercise {exercise.number}: {name!r} has no meaning in a {kind}"
-    if COMMON <= given:
-        yield from problems_of_words(exercise)
-        yield from problems_of_answers(exercise)
+        yield f"{name!r} has no meaning in a {kind}"
+    if not missing:
+        yield from problems_of_words(about)
+        yield from problems_of_answers(about)
 
 
 def problems_of_place(exercise):
@@ -114,41 +120,38 @@ def problems_of_place(exercise):
             yield f'exercise {exercise.number}: no question starts with "{start}" above its cell'
 
 
-def problems_of_words(exercise):
-    about = exercise.about
+def problems_of_words(about):
     words = {name: about[name] for name in ("hint", "second", "solution")}
     words |= {f"choice {i}": words for i, words in enumerate(about.get("choices", []))}
     words |= {f"mistake {i}": one.get("hint", {}) for i, one in enumerate(about["mistakes"])}
     for name, text in words.items():
         for language in LANGUAGES:
             if not isinstance(text, dict) or not str(text.get(language, "")).strip():
-                yield f'exercise {exercise.number}: {name} has no words in "{language}"'
+                yield f'{name} has no words in "{language}"'
 
 
-def problems_of_answers(exercise):
-    about, number = exercise.about, exercise.number
+def problems_of_answers(about):
     answers = [about["answer"], *(mistake.get("answer") for mistake in about["mistakes"])]
     if not about["mistakes"]:
-        yield f"exercise {number}: it knows no typical mistake"
+        yield "it knows no typical mistake"
     if about["kind"] == "choice":
         places = list(range(len(about.get("choices", []))))
         if sorted(answers, key=str) != places or not 3 <= len(places) <= 4:
-            yield f"exercise {number}: one of 3 or 4 choices is right, each other one is a mistake"
+            yield "one of 3 or 4 choices is right, each other one is a mistake"
         return
     wanted = (int, float) if about["kind"] == "number" else str
     if not all(isinstance(answer, wanted) for answer in answers):
-        yield f"exercise {number}: every answer of a {about['kind']} is one"
+        yield f"every answer of a {about['kind']} is one"
     elif about["kind"] == "number":
-        yield from problems_of_numbers(exercise, sorted(answers))
+        yield from problems_of_numbers(about["tolerance"], sorted(answers))
 
 
-def problems_of_numbers(exercise, answers):
-    tolerance = exercise.about.get("tolerance", 0)
+def problems_of_numbers(tolerance, answers):
     if not tolerance > 0:
-        yield f"exercise {exercise.number}: the tolerance is greater than 0"
+        yield "the tolerance is greater than 0"
     for one, next_one in zip(answers, answers[1:]):
         if next_one - one <= tolerance:
-            yield f"exercise {exercise.number}: the tolerance cannot tell {one} from {next_one}"
+            yield f"the tolerance cannot tell {one} from {next_one}"
 
 
 # --- in one language ------------------------------------------------------------------------------

@@ -68,7 +68,7 @@ def bundle(target, language, sources=SOURCES, host="page"):
     """Write scripts and style sheet of one language (None: with both) into a folder ->
     {paper: its views}.
 
-    host: "page" of the book, or "cell" of a notebook.
+    host: "page" of the book, "cell" of a notebook, or "exercises" of a page.
     """
     papers = {name: table(name, language) for name in paper_names(sources)}
     question = {
