@@ -38,9 +38,9 @@ bench: $(BUNDLE) ## time filters and explorers, in Jupyter and in the page; peer
 	$(PY) tests/bench_jupyter.py
 	$(PY) tests/bench_explorers.py
 
-explorers: $(BUNDLE) ## make what kalman_lib.explorer shows in a notebook
+explorers: $(BUNDLE) ## make what kalman_lib.explorer and .exercises show in a notebook
 
-wheel: $(BUNDLE) ## make a wheel of kalman_lib with its explorers: _build/wheel
+wheel: $(BUNDLE) ## make a wheel of kalman_lib with explorers and exercises: _build/wheel
 	$(PY) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir _build/wheel .
 
 lint: lint-py lint-js ## check every source: Ruff, ESLint and Prettier
@@ -89,7 +89,8 @@ $(VENV)/.npm: $(VENV)/.installed book/package-lock.json
 	$(PY) book/_ext/offline.py
 	@touch $@
 
-# The explorers of the notebooks come from the same sources as those of the pages, and their ranges from the papers.
-$(BUNDLE): $(VENV)/.npm book/_ext/bundle.mjs $(shell find book/explorers kalman_lib/papers -name '*.js' -o -name '*.css' -o -name '*.py')
+# The explorers of the notebooks come from the same sources as those of the pages, their ranges from the papers, and the
+# exercises from the notebooks themselves.
+$(BUNDLE): $(VENV)/.npm book/_ext/bundle.mjs $(wildcard notebooks/*.ipynb) $(shell find book/explorers kalman_lib/papers -name '*.js' -o -name '*.css' -o -name '*.py')
 	$(PY) book/_ext/explorers.py
 	@touch $@

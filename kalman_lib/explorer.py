@@ -12,13 +12,10 @@ It is made by book/_ext/explorers.py from book/explorers, like the pages' own.
 """
 
 import base64
-import functools
 import importlib
 import json
 import math
-import os
 from dataclasses import asdict, fields
-from pathlib import Path
 
 import anywidget
 import numpy as np
@@ -27,11 +24,11 @@ from IPython import get_ipython
 from IPython.display import display
 
 from .live.files import answer
+from .live.made import made
+from .live.notebook import LANGUAGES, language_of_notebook
 from .live.pictures import picture
 from .papers import check
 
-BUNDLE = Path(__file__).parent / "live" / "bundle"
-LANGUAGES = ("id", "en")
 _shown = {}  # cell -> (number of its run, the explorers that it showed then)
 
 
@@ -83,8 +80,8 @@ class Explorer(anywidget.AnyWidget):
             choose=not language,
             start=start,
             state=start,
-            _esm=_made("widget.js"),
-            _css=_made("widget.css"),
+            _esm=made("widget.js"),
+            _css=made("widget.css"),
         )
         self.on_msg(self._answer)
 
@@ -158,20 +155,9 @@ class Explorer(anywidget.AnyWidget):
 # --- what was made from book/explorers ------------------------------------------------------------
 
 
-@functools.cache
-def _made(name):
-    try:
-        return (BUNDLE / name).read_text(encoding="utf-8")
-    except FileNotFoundError:
-        raise FileNotFoundError(
-            "The explorers are not made yet: run `make explorers` in the folder of the book. / "
-            "Penjelajahnya belum dibuat: jalankan `make explorers` di folder buku ini."
-        ) from None
-
-
 def _views(paper):
     """{view: where its settings start} of one paper, the first view first."""
-    papers = json.loads(_made("starts.json"))
+    papers = json.loads(made("starts.json"))
     if paper not in papers:
         raise ValueError(
             f"no explorer is called {paper!r}; there are {', '.join(papers)}. / "
@@ -190,20 +176,6 @@ def _plain(value):
 
 
 # --- the notebook around --------------------------------------------------------------------------
-
-
-def language_of_notebook():
-    """The language of its texts, where they are in one alone; "" where in both, or unknown."""
-    shell = get_ipython()
-    opened = shell.user_ns.get("__vsc_ipynb_file__") if shell else None  # in VS Code
-    path = Path(opened or os.environ.get("JPY_SESSION_NAME", ""))  # in JupyterLab and Notebook
-    try:
-        cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
-        tags = {tag for cell in cells for tag in cell["metadata"].get("tags", [])}
-    except (OSError, ValueError, KeyError, TypeError):
-        return ""
-    found = [language for language in LANGUAGES if f"lang-{language}" in tags]
-    return found[0] if len(found) == 1 else ""
 
 
 def _run():

@@ -15,6 +15,7 @@ explorers.for_notebooks()
 
 from kalman_lib import explorer as room  # noqa: E402  (it needs what was just made)
 from kalman_lib.explorer import explore  # noqa: E402
+from kalman_lib.live import made  # noqa: E402
 from kalman_lib.papers import gyro, smoother, theory  # noqa: E402
 
 
@@ -63,8 +64,8 @@ def test_what_makes_no_sense_is_refused_in_both_languages(wrong, kind, en, id):
 
 
 def test_a_package_without_its_explorers_says_how_to_make_them(tmp_path, monkeypatch):
-    monkeypatch.setattr(room, "BUNDLE", tmp_path)
-    monkeypatch.setattr(room, "_made", room._made.__wrapped__)
+    monkeypatch.setattr(made, "BUNDLE", tmp_path)
+    monkeypatch.setattr(room, "made", made.made.__wrapped__)
     with pytest.raises(FileNotFoundError, match="run `make explorers`.*jalankan `make explorers`"):
         explore("gyro")
 

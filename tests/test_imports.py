@@ -38,6 +38,7 @@ ALLOWED = {
     "data": (set(), NUMERICS | {"openpyxl"}),
     "plots": ({"metrics", "models", "papers"}, NUMERICS | {"matplotlib", "PIL"}),
     "live": ({"data", "fast", "filters", "papers", "plots"}, NUMERICS),
+    "exercises": ({"live"}, NUMERICS | {"IPython"}),  # IPython only where it runs already
     "explorer": ({"live", "papers"}, NUMERICS | {"anywidget", "traitlets", "IPython"}),
 }
 # A paper, whether a file or a folder: the core, and of the other papers nothing ("papers": the
@@ -124,7 +125,7 @@ def test_importing_the_package_loads_no_heavy_library():
     folders = (LIBRARY / "papers").iterdir()
     names = [path.stem for path in folders if path.stem[0] not in "_."]
     papers = ", ".join(f"kalman_lib.papers.{name}" for name in sorted(names))
-    code = f"import sys, kalman_lib, {papers}; print(*sys.modules)"
+    code = f"import sys, kalman_lib, kalman_lib.exercises, {papers}; print(*sys.modules)"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     heavy = {
         "matplotlib",
@@ -140,7 +141,7 @@ def test_importing_the_package_loads_no_heavy_library():
     assert not heavy & set(run.stdout.split())
 
 
-def test_the_wheel_holds_every_module_and_the_explorers(tmp_path):
+def test_the_wheel_holds_every_module_the_explorers_and_the_exercises(tmp_path):
     explorers.for_notebooks()
     source = tmp_path / "source"
     shutil.copytree(LIBRARY, source / "kalman_lib", ignore=shutil.ignore_patterns("__pycache__"))
@@ -150,7 +151,8 @@ def test_the_wheel_holds_every_module_and_the_explorers(tmp_path):
     offline = ["--no-index", "--no-deps", "--no-build-isolation"]
     subprocess.run([*pip, *offline, "-w", tmp_path, source], check=True)
     (wheel,) = tmp_path.glob("*.whl")
-    bundle = [explorers.FOR_NOTEBOOKS / name for name in ("widget.js", "widget.css", "starts.json")]
+    names = ("widget.js", "widget.css", "starts.json", "exercises.json")
+    bundle = [explorers.FOR_NOTEBOOKS / name for name in names]
     needed = {
         path.relative_to(LIBRARY.parent).as_posix() for path in [*LIBRARY.rglob("*.py"), *bundle]
     }

@@ -193,7 +193,40 @@ def test_random_numbers_have_a_seed(path):
         )
 
 
-@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def exercises(path):
+    """The cells that ask check()."""
+    return [cell for cell in code_cells(path) if "exercise" in tags(cell)]
+
+
+CONVERTED = [path for path in NOTEBOOKS if exercises(path)]
+NOT_YET = [path for path in CHAPTERS if not exercises(path)]
+
+
+@pytest.mark.parametrize("path", CONVERTED, ids=lambda path: path.stem)
+def test_at_least_six_exercises_of_every_kind_answer(path):
+    kinds = [cell["metadata"]["book"]["exercise"]["kind"] for cell in exercises(path)]
+    assert len(kinds) == sum(skeleton(english)["exercises"] for _, english in pairs(path))
+    if path in CHAPTERS:
+        assert len(kinds) >= 6 and set(kinds) == {"number", "choice", "code"}
+        code = "\n".join(text(cell) for cell in code_cells(path))
+        assert re.search("^from kalman_lib.exercises import check$", code, re.MULTILINE)
+
+
+@pytest.mark.parametrize("path", CONVERTED, ids=lambda path: path.stem)
+def test_an_exercise_waits_for_its_answer_and_a_proof_stands_behind_it(path):
+    after_exercise = False
+    for cell in cells(path):
+        if "exercise" in tags(cell):
+            assert re.fullmatch(r'check\("\d+\.\d+", \.\.\.\)', text(cell))
+            assert cell["outputs"] == []
+        if "proof" in tags(cell):
+            assert after_exercise, "a proof stands directly after its exercise"
+            assert "hide-cell" in tags(cell) and "assert " in text(cell)
+            assert cell["metadata"]["jupyter"] == {"source_hidden": True, "outputs_hidden": True}
+        after_exercise = "exercise" in tags(cell)
+
+
+@pytest.mark.parametrize("path", NOT_YET, ids=lambda path: path.stem)
 def test_at_least_five_exercises_each_with_a_hidden_solution_that_checks_itself(path):
     solutions = [cell for cell in code_cells(path) if "hide-cell" in tags(cell)]
     assert len(solutions) == sum(skeleton(english)["exercises"] for _, english in pairs(path)) >= 5

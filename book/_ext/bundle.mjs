@@ -3,6 +3,7 @@
 // Started by explorers.py.
 //
 // host "cell": for a notebook one ES module with all papers in both languages, and where every view starts.
+// host "exercises": what a page with exercises loads, a classic script and its style sheet.
 // host "page":
 // A browser refuses ES modules from file://, so every bundle is one classic script. The core (core.js) holds
 // the rooms that all papers use; the bundle of a paper takes them from there, so that a page loads them once.
@@ -16,7 +17,8 @@ import { build } from "esbuild";
 
 const SHARED = ["numerics", "language"]; // rooms of the core that papers use
 const OTHER = { id: "en", en: "id" };
-const WORDY = /[\\/](papers|language|files)[\\/]|[\\/]element[\\/]words\.js$/; // where {id, en} are words
+// Where {id, en} are words
+const WORDY = /[\\/](papers|language|files|grading|exercise)[\\/]|[\\/]element[\\/]words\.js$/;
 
 class Mistake extends Error {}
 
@@ -258,9 +260,24 @@ async function forPage({ sources, data, language, papers }) {
   return { files, views };
 }
 
+/** What a page with exercises loads. */
+async function forExercises({ sources, language }) {
+  const room = path.join(sources, "exercise");
+  const script = { entryPoints: [path.join(room, "index.js")], globalName: "KalmanExercises" };
+  return {
+    files: {
+      "exercises.js": await bundle(script, [oneLanguage(language)]),
+      "exercises.css": await bundle({ entryPoints: [path.join(room, "exercise.css")] }, []),
+    },
+    views: {},
+  };
+}
+
+const HOSTS = { cell: forCell, exercises: forExercises, page: forPage };
+
 async function main() {
   const question = JSON.parse(readFileSync(0, "utf8"));
-  const make = question.host === "cell" ? forCell : forPage;
+  const make = HOSTS[question.host];
   process.stdout.write(JSON.stringify(await make(question)));
 }
 

@@ -9,6 +9,8 @@ does the bundling and leaves out the words of the other language.
 The same explorers are the widgets of the notebooks: one ES module with all papers in both
 languages, which belongs to the package (kalman_lib/live/bundle, made, not stored in Git).
 
+With it go the exercises of the chapters, which kalman_lib.exercises asks (exercise_cells.py).
+
 `python book/_ext/explorers.py` makes what the notebooks need; with FOLDER LANGUAGE it writes the
 files of a page into FOLDER.
 """
@@ -22,6 +24,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+import exercise_cells
 import offline
 
 SOURCES = offline.BOOK / "explorers"
@@ -65,7 +68,7 @@ def bundle(target, language, sources=SOURCES, host="page"):
     """Write scripts and style sheet of one language (None: with both) into a folder ->
     {paper: its views}.
 
-    host: "page" of the book, or "cell" of a notebook.
+    host: "page" of the book, "cell" of a notebook, or "exercises" of a page.
     """
     papers = {name: table(name, language) for name in paper_names(sources)}
     question = {
@@ -91,11 +94,17 @@ def bundle(target, language, sources=SOURCES, host="page"):
 
 
 def for_notebooks(target=FOR_NOTEBOOKS):
-    """Write what kalman_lib.explorer shows in a notebook: a module, its styles, its starts."""
+    """Write what kalman_lib.explorer shows in a notebook: a module, its styles, its starts; and
+    the exercises for kalman_lib.exercises."""
+    write_exercises(target)
     try:
         return bundle(target, None, host="cell")
     except Mistake as mistake:
         sys.exit(str(mistake))
+
+
+def write_exercises(target=FOR_NOTEBOOKS):
+    offline.write_if_new(target / exercise_cells.FILE, exercise_cells.as_json().encode())
 
 
 def check():
@@ -115,7 +124,7 @@ def bundle_for(app, config):
     try:
         app.explorer_views = bundle(folder / FOLDER, config.language)
         if not FOR_NOTEBOOKS.exists():  # the notebooks run soon; book/build.py has made it before
-            bundle(FOR_NOTEBOOKS, None, host="cell")
+            for_notebooks()
     except Mistake as mistake:
         raise ExtensionError(str(mistake)) from mistake
     config.html_static_path.append(str(folder))

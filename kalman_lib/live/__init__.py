@@ -1,1 +1,2 @@
-"""What explorer.py needs beside its widget: still pictures, the reader's files, the bundle."""
+"""What explorer.py and exercises.py need beside themselves: still pictures, the reader's files, the
+grading, the bundle."""

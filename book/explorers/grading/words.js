@@ -1,0 +1,14 @@
+// What is said about a number that is none.
+
+export const WORDS = {
+  empty: { id: "Isilah sebuah bilangan.", en: "Type a number." },
+  none: { id: "“{text}” bukan bilangan seperti 0,25.", en: "“{text}” is no number such as 0.25." },
+  groups: {
+    id: "Tulislah “{text}” tanpa pemisah ribuan, misalnya 12345,6.",
+    en: "Write “{text}” without thousands separators, such as 12345.6.",
+  },
+  either: {
+    id: "“{text}” dapat dibaca sebagai dua bilangan. Yang mana?",
+    en: "“{text}” can be read as two numbers. Which one?",
+  },
+};
