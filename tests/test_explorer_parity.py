@@ -211,7 +211,10 @@ console.log(JSON.stringify(found.sort((a, b) => a.start - b.start)[0]));
 
 
 def with_a_wrong_sign(file):
-    """The text of a model.js in which the first parameter that model(p) uses gets a minus."""
+    """The text of a model.js in which the first parameter that model(p) uses is wrong.
+
+    A minus alone would not show where it is squared.
+    """
     command = [str(offline.node_binary()), "--input-type=module", "-e", FIRST_PARAMETER, str(file)]
     made = subprocess.run(
         command, cwd=offline.BOOK, capture_output=True, check=True, encoding="utf-8"
@@ -219,13 +222,13 @@ def with_a_wrong_sign(file):
     place = json.loads(made.stdout)
     text = file.read_text(encoding="utf-8").encode("utf-16-le")  # acorn counts as JavaScript does
     start, end = 2 * place["start"], 2 * place["end"]
-    changed = text[:start] + f"(-p.{place['name']})".encode("utf-16-le") + text[end:]
+    changed = text[:start] + f"(-1.5 * p.{place['name']})".encode("utf-16-le") + text[end:]
     return changed.decode("utf-16-le")
 
 
 @pytest.mark.parametrize("name", PAPERS)
 def test_one_wrong_sign_is_found(name, tmp_path, chromium):
-    """The comparison itself is tested: the first parameter in the JavaScript model gets a minus."""
+    """The comparison itself is tested: the first parameter in the JavaScript model is wrong."""
     sources = tmp_path / "explorers"
     shutil.copytree(SOURCES, sources)
     file = sources / "papers" / name / "model.js"
@@ -245,7 +248,7 @@ def test_a_wrong_sign_leaves_valid_javascript(tmp_path):
         '// "é" and "𝄞"\nexport function model(p) {\n  return { Q: p.T ** 2 };\n}\n',
         encoding="utf-8",
     )
-    assert "Q: (-p.T) ** 2" in with_a_wrong_sign(file)
+    assert "Q: (-1.5 * p.T) ** 2" in with_a_wrong_sign(file)
 
 
 @pytest.mark.parametrize("name", sorted(set(PAPERS) - OWN_MOTION))

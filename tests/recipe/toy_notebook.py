@@ -59,7 +59,11 @@ def exercise(kind, answer, wrong, **more):
 
 def exercises():
     """[(question in both languages, metadata)]"""
-    yes_no = [{"id": "ya", "en": "yes"}, {"id": "tidak", "en": "no"}, {"id": "bisa", "en": "may be"}]
+    yes_no = [
+        {"id": "ya", "en": "yes"},
+        {"id": "tidak", "en": "no"},
+        {"id": "bisa", "en": "may be"},
+    ]
     choice_mistakes = [{"answer": 1, "hint": NEXT}, {"answer": 2, "hint": NEXT}]
     found = [
         (
@@ -94,7 +98,10 @@ def code(name, source, **metadata):
 def exercise_cells():
     for number, (text, about) in enumerate(exercises(), start=1):
         label = f"7.{number}"
-        words = {"id": f"**Latihan {label}.** {text['id']}", "en": f"**Exercise {label}.** {text['en']}"}
+        words = {
+            "id": f"**Latihan {label}.** {text['id']}",
+            "en": f"**Exercise {label}.** {text['en']}",
+        }
         yield from pair(f"exercise-{number}", words)
         metadata = {"book": {"exercise": about}, "tags": ["exercise"]}
         yield code(f"exercise-{number}", f'check("{label}", ...)', **metadata)
