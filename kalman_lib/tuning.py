@@ -204,7 +204,7 @@ def discretise(A, Qc, dt, Bc=None):
     l = 0 if Bc is None else np.atleast_2d(Bc).shape[-1]
     drive = finite_array("Bc", np.zeros((n, 0)) if Bc is None else Bc, (n, l))
     seconds = finite_array("dt", dt)
-    if seconds.ndim > 1 or not (seconds > 0).all():
+    if seconds.ndim > 1 or seconds.size == 0 or not (seconds > 0).all():
         raise ValueError(
             "dt must be a number of seconds above 0, or (T,) of them. / "
             "dt harus bilangan detik di atas 0, atau (T,) bilangan semacam itu."

@@ -82,6 +82,7 @@ def test_one_step_after_another_is_one_long_step():
         (([[np.nan]], 1, 1), "A"),
         (("x", 1, 1), "A"),
         ((1, 1, "s"), "dt"),
+        ((1, 1, []), "dt"),
     ],
 )
 def test_discretise_names_what_is_wrong(arguments, said):
