@@ -7,10 +7,10 @@ behind them, are run and then left out. How an exercise is written: CONTRIBUTING
 """
 
 import json
-import re
 from pathlib import Path
 
 import exercise_cells
+import exercise_overview
 import exercise_parts
 import explorers
 from docutils import nodes
@@ -127,15 +127,20 @@ def bundle_for(app, config):
 
 
 def load(app, pagename, templatename, context, doctree):
-    """Script and style sheet, only on a page that holds an exercise."""
-    if re.search(r'<div class="exercise"', context.get("body", "")):
+    """Script and style sheet, only on a page that holds an exercise; the overview needs no
+    script."""
+    body = context.get("body", "")
+    has_exercises = '<div class="exercise"' in body
+    if has_exercises:
         app.add_js_file(f"{FOLDER}/exercises.js", loading_method="defer")
+    if has_exercises or exercise_overview.CLASS in body:
         app.add_css_file(f"{FOLDER}/exercises.css")
 
 
 def setup(app):
     app.add_node(Part, html=(exercise_parts.open_part, exercise_parts.close_part))
     app.add_directive("exercise", ExerciseDirective)
+    app.add_directive(exercise_overview.CLASS, exercise_overview.OverviewDirective)
     app.connect("config-inited", bundle_for)
     # after languages.py, before figures.py takes the metadata of the cells
     app.connect("source-read", place_directives, priority=550)
