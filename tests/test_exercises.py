@@ -107,7 +107,7 @@ def test_a_notebook_to_take_home_names_the_choices_and_keeps_its_exercises():
         for found in exercise_cells.in_notebook(path):
             for letter, choice in zip("abcd", found.about.get("choices", [])):
                 question = texts[texts.index(f'check("{found.number}", ...)') - 1]
-                assert f"\n\n{letter}) {choice[language]}" in question
+                assert f"\n\n{letter}. {choice[language]}" in question
         for cell in cells:
             if "proof" in cell["metadata"].get("tags", []):
                 assert cell["metadata"]["jupyter"]["source_hidden"]

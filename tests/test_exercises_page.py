@@ -64,6 +64,8 @@ def test_every_exercise_stands_below_its_question(opened):
         assert named == f"{name} {found.number}."
         before = element.evaluate("e => e.previousElementSibling.textContent")
         assert before.startswith(named)
+    names = page.evaluate("[...document.querySelectorAll('[id^=exercise-]')].map(e => e.id)")
+    assert len(set(names)) == len(names) >= 3 * len(FOUND)
     assert page.locator(".tag_exercise, .tag_proof").count() == 0
     assert "assert " not in page.locator("section#exercises").inner_text()
     assert page.locator(".exercise-solution:visible").count() == 0

@@ -89,7 +89,8 @@ def leave_out_cells(app, doctree):
 def name_questions(app, doctree):
     """ "Exercise 3.2." gets an id, which names the fields below it, and the page its progress."""
     is_first = True
-    for block in doctree.findall(lambda node: isinstance(node, Part) and node.get("number")):
+    blocks = doctree.findall(lambda node: isinstance(node, Part) and node.get("number"))
+    for block in list(blocks):
         question = question_of(doctree, block["number"], app.config.language)
         if question is None:
             logger.warning("exercise %s has no question above it", block["number"], location=block)

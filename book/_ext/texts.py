@@ -103,7 +103,7 @@ def name_choices(cells, language):
         exercise = cell["metadata"].get("book", {}).get("exercise", {})
         if question["cell_type"] == "markdown" and exercise.get("choices"):
             lines = [
-                f"{letter}) {choice[language]}"
+                f"{letter}. {choice[language]}"
                 for letter, choice in zip("abcd", exercise["choices"])
             ]
             question["source"] = "\n\n".join(["".join(question["source"]), *lines])
