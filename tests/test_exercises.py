@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from exercise_cases import EXERCISES, GRADED, SEQUENCES
 from test_notebooks import skeleton
+from texts import download_notebook
 
 from kalman_lib import exercises as room
 from kalman_lib.exercises import check
@@ -92,6 +93,24 @@ def test_both_languages_say_the_same(exercise):
         a, b = skeleton(words["id"]), skeleton(words["en"])
         assert a == b, words["en"]
         assert not a["headings"], "a heading belongs to the page"
+
+
+def test_a_notebook_to_take_home_names_the_choices_and_keeps_its_exercises():
+    path = exercise_cells.NOTEBOOKS / "02_smoother.ipynb"
+    source = json.loads(path.read_text(encoding="utf-8"))
+    for language in LANGUAGES:
+        cells = download_notebook(source, language)["cells"]
+        texts = ["".join(cell["source"]) for cell in cells]
+        assert [text for text in texts if text.startswith("check(")] == [
+            f'check("{found.number}", ...)' for found in exercise_cells.in_notebook(path)
+        ]
+        for found in exercise_cells.in_notebook(path):
+            for letter, choice in zip("abcd", found.about.get("choices", [])):
+                question = texts[texts.index(f'check("{found.number}", ...)') - 1]
+                assert f"\n\n{letter}. {choice[language]}" in question
+        for cell in cells:
+            if "proof" in cell["metadata"].get("tags", []):
+                assert cell["metadata"]["jupyter"]["source_hidden"]
 
 
 # --- what is refused ------------------------------------------------------------------------------

@@ -27,10 +27,12 @@ ALLOWED = {
     "drawing": {"drawing"},
     "element": {"element", "drawing", "language", "numerics"},
     "papers": {"numerics", "language", "files"},  # and each its own folder
+    "grading": {"grading", "language"},
+    "exercise": {"exercise", "grading", "drawing", "language"},
     "jupyter": {"jupyter", "element", "drawing", "language"},
     "": {"numerics", "language", "element"},  # core.js
 }
-TOUCH_THE_DOCUMENT = {"element", "drawing", "jupyter"}
+TOUCH_THE_DOCUMENT = {"element", "drawing", "jupyter", "exercise"}
 FILES = sorted(SOURCES.rglob("*.js"))
 
 

@@ -130,8 +130,10 @@ def test_the_hand_check(language, site, opened):
         }""")
         for question, right, wrong, typed in asked:
             assert right[0].endswith("right"), (name, question, right)
-            assert (
-                wrong[0].endswith("wrong") and len(wrong[1]) > 5 and "{" not in wrong[1] + question
-            ), (name, question, wrong)
+            not_yet = {"id": "Belum. ", "en": "Not yet. "}[language]
+            assert wrong[0].endswith("wrong") and wrong[1].startswith(not_yet), (name, wrong)
+            assert len(wrong[1]) > len(not_yet) + 5 and "{" not in wrong[1] + question, name
             assert typed[0].endswith("wrong") and "<b>x</b>" in typed[1] and typed[2] == 0
-        assert len({question for question, *_ in asked}) >= 3, name
+        questions = [question for question, *_ in asked]
+        assert all(a != b for a, b in zip(questions, questions[1:])), f"{name}: asked twice"
+        assert len(set(questions)) >= 3, name

@@ -7,10 +7,10 @@ behind them, are run and then left out. How an exercise is written: CONTRIBUTING
 """
 
 import json
-import re
 from pathlib import Path
 
 import exercise_cells
+import exercise_overview
 import exercise_parts
 import explorers
 from docutils import nodes
@@ -89,7 +89,8 @@ def leave_out_cells(app, doctree):
 def name_questions(app, doctree):
     """ "Exercise 3.2." gets an id, which names the fields below it, and the page its progress."""
     is_first = True
-    for block in doctree.findall(lambda node: isinstance(node, Part) and node.get("number")):
+    blocks = doctree.findall(lambda node: isinstance(node, Part) and node.get("number"))
+    for block in list(blocks):
         question = question_of(doctree, block["number"], app.config.language)
         if question is None:
             logger.warning("exercise %s has no question above it", block["number"], location=block)
@@ -127,15 +128,20 @@ def bundle_for(app, config):
 
 
 def load(app, pagename, templatename, context, doctree):
-    """Script and style sheet, only on a page that holds an exercise."""
-    if re.search(r'<div class="exercise"', context.get("body", "")):
+    """Script and style sheet, only on a page that holds an exercise; the overview needs no
+    script."""
+    body = context.get("body", "")
+    has_exercises = '<div class="exercise"' in body
+    if has_exercises:
         app.add_js_file(f"{FOLDER}/exercises.js", loading_method="defer")
+    if has_exercises or exercise_overview.CLASS in body:
         app.add_css_file(f"{FOLDER}/exercises.css")
 
 
 def setup(app):
     app.add_node(Part, html=(exercise_parts.open_part, exercise_parts.close_part))
     app.add_directive("exercise", ExerciseDirective)
+    app.add_directive(exercise_overview.CLASS, exercise_overview.OverviewDirective)
     app.connect("config-inited", bundle_for)
     # after languages.py, before figures.py takes the metadata of the cells
     app.connect("source-read", place_directives, priority=550)

@@ -82,6 +82,7 @@ def download_notebook(notebook, language, hint=""):
     """
     notebook = copy.deepcopy(filter_notebook(notebook, language))
     names = citations(BIBLIOGRAPHY, language)
+    name_choices(notebook["cells"], language)
     for cell in notebook["cells"]:
         cell["metadata"].pop("book", None)
         if cell["cell_type"] == "markdown":
@@ -95,6 +96,18 @@ def download_notebook(notebook, language, hint=""):
     for name in ("widgets", "book"):
         notebook["metadata"].pop(name, None)
     return notebook
+
+
+def name_choices(cells, language):
+    """Below the question of a choice, what there is to choose: the page has its own fields."""
+    for question, cell in zip(cells, cells[1:]):
+        exercise = cell["metadata"].get("book", {}).get("exercise", {})
+        if question["cell_type"] == "markdown" and exercise.get("choices"):
+            lines = [
+                f"{letter}. {choice[language]}"
+                for letter, choice in zip("abcd", exercise["choices"])
+            ]
+            question["source"] = "\n\n".join(["".join(question["source"]), *lines])
 
 
 def name_citations(text, names):

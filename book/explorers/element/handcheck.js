@@ -8,6 +8,8 @@ import { WORDS } from "./words.js";
 
 const TOLERANCE = 0.01; // of the answer, where the question says nothing
 const LEAST_TOLERANCE = 1e-12;
+const TRIES = 2; // wrong answers, after which the answer may be shown
+const ATTEMPTS = 50; // to find a question that differs from the one before
 
 export class HandCheck {
   constructor(explorer) {
@@ -30,7 +32,9 @@ export class HandCheck {
     const name = make("label", { htmlFor: answer_id, textContent: t.say(WORDS.answer) });
     const verify = make("button", { type: "submit", textContent: t.say(WORDS.verify) });
     const other = makeButton(explorer, t.say(WORDS.other), () => this.askAnother());
-    const row = make("div", { className: "explorer-buttons" }, name, this.field, verify, other);
+    this.reveal = makeButton(explorer, t.say(WORDS.reveal), () => this.show());
+    const buttons = [verify, this.reveal, other];
+    const row = make("div", { className: "explorer-buttons" }, name, this.field, ...buttons);
     const parts = [title, this.text, row, this.verdict];
     this.element = make("form", { className: "explorer-check", noValidate: true }, ...parts);
     this.element.addEventListener("submit", (event) => {
@@ -50,27 +54,48 @@ export class HandCheck {
     this.text.dataset.text = question.text;
     this.text.replaceChildren(label(question.text));
     this.field.value = "";
+    this.wrong = 0;
+    this.reveal.hidden = true;
     this.tell("", "");
   }
 
+  /** Another one than that which stands there, if the paper has another one for these numbers. */
   askAnother() {
-    this.seed = (this.seed + 1) | 0;
-    this.ask();
+    const before = this.text.dataset.text;
+    for (let i = 0; i < ATTEMPTS && this.text.dataset.text === before; i++) {
+      this.seed = (this.seed + 1) | 0;
+      this.ask();
+    }
+    this.field.focus();
+  }
+
+  /** The answer, and how to get there. */
+  show() {
+    const { question, t } = this.explorer;
+    const { answer, hint } = question;
+    const value = t.decimal(answer, 4);
+    const general = hint(NaN); // which is near to no mistake
+    this.tell("", t.say(WORDS.revealed, { value, hint: general }));
+    this.reveal.hidden = true;
     this.field.focus();
   }
 
   judge() {
     const { question, t } = this.explorer;
     const { answer, tolerance = TOLERANCE, hint } = question;
+    this.field.removeAttribute("aria-invalid");
     try {
       const value = number(this.field.value);
       const isRight = Math.abs(value - answer) <= tolerance * Math.abs(answer) + LEAST_TOLERANCE;
       if (isRight) {
         this.tell("right", t.say(WORDS.right, { value: t.decimal(answer, 4) }));
       } else {
-        this.tell("wrong", hint(value));
+        this.wrong += 1;
+        this.reveal.hidden = this.wrong < TRIES;
+        this.tell("wrong", t.say(WORDS.wrong, { hint: hint(value) }));
       }
     } catch (error) {
+      this.field.setAttribute("aria-invalid", "true");
       this.tell("wrong", error[t.language] ?? error.message);
     }
   }

@@ -4,6 +4,7 @@ export { grade, newState, take } from "../grading/grade.js"; // both for the tes
 export { numberIn } from "../grading/typed.js";
 import { speaker } from "../language/speaker.js";
 import { Exercise } from "./exercise.js";
+import { Paper } from "./paper.js";
 import { Progress } from "./progress.js";
 
 const t = speaker(document.documentElement.lang);
@@ -15,17 +16,6 @@ const place = document.querySelector(".exercise-progress");
 if (place) {
   progress = new Progress(place, t, exercises);
 }
-
-// On paper the solutions stand open. Chromium opens them by the style sheet, others need it done.
-let opened = [];
-addEventListener("beforeprint", () => {
-  opened = exercises.map(({ solution }) => ({ solution, open: solution.open }));
-  for (const { solution } of opened) {
-    solution.open = true;
-  }
-});
-addEventListener("afterprint", () => {
-  for (const { solution, open } of opened) {
-    solution.open = open;
-  }
-});
+if (exercises.length > 0) {
+  new Paper(exercises, t);
+}

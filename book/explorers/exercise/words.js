@@ -12,5 +12,6 @@ export const WORDS = {
   write: { id: "Tulislah satu baris kode.", en: "Write a line of code." },
   answered: { id: "terjawab", en: "answered" },
   progress: { id: "Terjawab: {done} / {all}", en: "Answered: {done} / {all}" },
+  solutions: { id: "Penyelesaian", en: "Solutions" },
   clear: { id: "Hapus kemajuan", en: "Clear progress" },
 };

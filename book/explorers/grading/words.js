@@ -2,7 +2,10 @@
 
 export const WORDS = {
   empty: { id: "Isilah sebuah bilangan.", en: "Type a number." },
-  none: { id: "“{text}” bukan bilangan seperti 0,25.", en: "“{text}” is no number such as 0.25." },
+  none: {
+    id: "Tulislah sebuah bilangan seperti 0,25, bukan “{text}”.",
+    en: "Write a number such as 0.25, not “{text}”.",
+  },
   groups: {
     id: "Tulislah “{text}” tanpa pemisah ribuan, misalnya 12345,6.",
     en: "Write “{text}” without thousands separators, such as 12345.6.",
