@@ -172,7 +172,8 @@ def window(chromium, lab, **options):
 
 
 def element_in(page, number):
-    """The explorer below a cell, alive and in sight."""
+    """The explorer below a cell, alive and in sight, also after another page was opened."""
+    page.bring_to_front()
     element = page.locator(".jp-CodeCell").nth(number).locator("kalman-explorer.live")
     element.wait_for()
     element.scroll_into_view_if_needed()
