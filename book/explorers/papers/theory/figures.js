@@ -45,9 +45,10 @@ function measuredStrip(r) {
   ];
 }
 
-/**
- * Bell curves of the position; their height is that of the narrowest one, in powers of 2, so that it rests.
- */
+const TALLEST = 0.95; // share of the height that a bell may fill
+const LOWEST = 0.12; // below this share the axis closes in again
+
+/** Bell curves of the position; the axis of their height rests while a slider moves, in powers of 2. */
 export function bells(r) {
   const R = r.model.R[0];
   const curves = shownBeliefs(r).map(([look, label, { x, P }]) =>
@@ -57,8 +58,19 @@ export function bells(r) {
     curves.splice(1, 0, bellLayer("measurement", "z", r.z[r.k - 1], R, r.limits.x));
   }
   const narrowest = Math.min(r.kind === UPDATE ? R : Infinity, ...variancesOfStep(r));
-  const top = 2 ** Math.ceil(Math.log2(1.05 / Math.sqrt(2 * Math.PI * narrowest)));
-  return { xlim: r.limits.x, ylim: [0, top], layers: curves };
+  return {
+    xlim: r.limits.x,
+    ylim: [0, restingTop(r.rest, 1 / Math.sqrt(2 * Math.PI * narrowest))],
+    layers: curves,
+  };
+}
+
+/** The old top of the axis, if the highest peak fits; kept in rest. */
+function restingTop(rest, peak) {
+  if (!(peak <= TALLEST * rest.top && peak >= LOWEST * rest.top)) {
+    rest.top = 2 ** Math.ceil(Math.log2(1.05 * peak));
+  }
+  return rest.top;
 }
 
 /** Variances of the position before and after this half of the step. */
