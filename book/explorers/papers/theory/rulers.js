@@ -22,6 +22,7 @@ function outcome(r, s, t) {
     b: s.b,
     x: r.x,
     sigma: r.sigma,
+    K: t.decimal(r.K, 2),
     percent: t.decimal(100 * r.K, 2),
     gap: r.gap,
     expected: r.expected,

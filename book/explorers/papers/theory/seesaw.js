@@ -1,5 +1,5 @@
 // The figure of the two rulers: three bells above a scale in cm, and below it a see-saw. Its weights are
-// 1 / variance, so it rests on the estimate; K is the share of the beam from a to x.
+// 1 / variance, so it rests on the estimate; K is the share of the beam from a to x, drawn thick.
 
 const XLIM = [10, 33]; // cm; the axes stay, whatever is dragged
 const YLIM = [-0.43, 0.72]; // 1/cm
@@ -8,7 +8,6 @@ const SHOULDER = Math.exp(-0.5); // height of a bell one sigma from its centre, 
 const BEAM = -0.24; // where the see-saw is drawn
 const WEIGHT = 13; // pixels: radius of the weight of a ruler with sigma = 1 cm
 const TICKS = [10, 15, 20, 25, 30]; // cm
-const ROOM = 30; // pixels that a percentage needs beside the beam's ends
 
 // --- what is drawn -----------------------------------------------------------------------------------------
 
@@ -83,6 +82,7 @@ function paintScale(ctx, X, Y, colours) {
 function paintHandles(handles) {
   return (ctx, X, Y) => {
     ctx.lineWidth = 2.4;
+    ctx.setLineDash([]);
     for (const { name, x, y } of handles) {
       dot(ctx, X(x), Y(y), name.startsWith("sigma") ? 5 : 6);
       if (name.startsWith("sigma")) {
@@ -98,28 +98,21 @@ function paintBeam(r, s, t) {
   return (ctx, X, Y, colours) => {
     const y = Y(BEAM);
     ctx.strokeStyle = colours.words;
-    ctx.fillStyle = colours.estimate;
     ctx.lineWidth = 3;
     line(ctx, X(s.a), y, X(s.b), y);
-    triangle(ctx, X(r.x), y + 2);
-    weight(ctx, X(s.a), y, WEIGHT / s.sigma_a, colours.prediction);
-    weight(ctx, X(s.b), y, WEIGHT / s.sigma_b, colours.measurement);
-    ctx.font = `600 13px ${colours.font}`;
+    ctx.strokeStyle = colours.estimate;
+    ctx.fillStyle = colours.estimate;
+    ctx.lineWidth = 6;
+    line(ctx, X(s.a), y, X(r.x), y); // K of the beam
+    triangle(ctx, X(r.x), y + 3);
+    weight(ctx, X(s.a), y - 2, WEIGHT / s.sigma_a, colours.prediction);
+    weight(ctx, X(s.b), y - 2, WEIGHT / s.sigma_b, colours.measurement);
+    ctx.font = `600 14px ${colours.font}`;
     ctx.textAlign = "center";
     ctx.textBaseline = "alphabetic";
-    ctx.fillStyle = colours.words;
-    share(ctx, X(s.a), X(r.x), y, `${t.decimal(100 * r.K, 2)} %`);
-    share(ctx, X(r.x), X(s.b), y, `${t.decimal(100 * (1 - r.K), 2)} %`);
     ctx.fillStyle = colours.estimate;
-    ctx.fillText(`K = ${t.decimal(r.K, 2)}`, X(r.x), y + 36);
+    ctx.fillText(`K = ${t.decimal(r.K, 2)}`, X(r.x), y + 37);
   };
-}
-
-/** How long a part of the beam is, where there is room for it. */
-function share(ctx, from, to, y, text) {
-  if (Math.abs(to - from) > ROOM) {
-    ctx.fillText(text, (from + to) / 2, y + 17);
-  }
 }
 
 /** A ball that lies on the beam: its area is the weight. */

@@ -57,7 +57,6 @@ export function compute(s, memo = {}) {
     beliefs,
     now: beliefBetween(beliefs, moment),
     limits: restingLimits(memo, beliefs, z, moment),
-    rest: memo,
   };
 }
 

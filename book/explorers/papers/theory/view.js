@@ -1,9 +1,9 @@
 // What the explorer of chapter 1 shows: its controls, figures, sentences and equations.
-import { bells, drag, plane } from "./figures.js";
+import { drag, plane } from "./figures.js";
 import { question } from "./questions.js";
 import { COUNT, LAST, START, UPDATE, compute, given, kindOf, stepOf, zName } from "./steps.js";
 import { strip } from "./strip.js";
-import { BELLS, CONTROLS, GAIN, NAME, ORIGINS, PLANE, TEXTS, TITLES } from "./words.js";
+import { CONTROLS, GAIN, NAME, ORIGINS, PLANE, TEXTS, TITLES } from "./words.js";
 
 const PRINTED_Z = 2.2; // m: the measurement of the worked example
 
@@ -203,7 +203,6 @@ export const steps = {
   plots: [
     { ...PLANE, xlabel: "p (m)", height: 235, draw: plane, drag },
     { ...GAIN, height: 88, bare: true, draw: strip },
-    { ...BELLS, xlabel: "p (m)", height: 170, after: true, draw: bells, drag },
   ],
   outcome,
   equations,

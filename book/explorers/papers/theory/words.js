@@ -68,14 +68,6 @@ export const PLANE = {
   },
 };
 
-export const BELLS = {
-  title: { id: "Posisi saja", en: "The position alone" },
-  alt: {
-    id: "Kurva lonceng posisi: prediksi, pengukuran, dan estimasi.",
-    en: "Bell curves of the position: prediction, measurement and estimate.",
-  },
-};
-
 export const GAIN = {
   title: { id: "Penguatan dan posisi, dengan angka", en: "Gain and position, in numbers" },
   alt: {
@@ -101,10 +93,10 @@ export const RULERS = {
   width: { id: "simpangan bakunya", en: "its standard deviation" },
   outcome: {
     id:
-      "K = {percent} %: dari a = {a} cm kita bergeser {percent} % jaraknya menuju b = {b} cm. " +
+      "Dari a = {a} cm kita bergeser {percent} % menuju b = {b} cm: K = {K}. " +
       "Hasilnya x = {x} cm, simpangan baku {sigma} cm.",
     en:
-      "K = {percent} %: from a = {a} cm we go {percent} % of the way to b = {b} cm. " +
+      "From a = {a} cm we go {percent} % of the way to b = {b} cm: K = {K}. " +
       "The result is x = {x} cm, with a standard deviation of {sigma} cm.",
   },
   rare: {
