@@ -146,7 +146,7 @@ function dot(ctx, x, y, radius) {
 
 const PIXELS_X = 15; // of a phone for a cm
 const PIXELS_Y = 230; // of a phone for 1/cm
-const SAME_DRAG = 400; // ms, and at most so many pixels, between two moves of one drag
+const SAME_DRAG = 250; // ms, and at most so many pixels, between two moves of one drag
 const SAME_PLACE = 40;
 
 /** Where a pointer can take something: of each ruler the peak, both shoulders; then both ends of the beam. */
