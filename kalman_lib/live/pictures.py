@@ -49,6 +49,17 @@ def theory_steps(p, rng):
     return plots.ellipses(beliefs, z=p.z, R=p.R)
 
 
+def theory_bells(p, rng):
+    """Two rulers of one length (cm) and what they say together."""
+    x, P, _ = theory.fuse(20, 4, 23, 1)
+    bells = {
+        "$a$": (20, 4, plots.PREDICTION),
+        "$b$": (23, 1, plots.MEASUREMENT),
+        "$x$": (x, P, plots.ESTIMATE),
+    }
+    return plots.gaussians(bells, xlabel="cm")
+
+
 def smoother_form(p, rng):
     """The paper's 16 values, filtered, beside a moving average."""
     z = smoother.MEASURED
@@ -139,6 +150,7 @@ def quadrotor_flight(p, rng):
 
 PICTURES = {
     ("theory", "steps"): theory_steps,
+    ("theory", "bells"): theory_bells,
     ("smoother", "form"): smoother_form,
     ("smoother", "online"): smoother_online,
     ("gyro", "flight"): gyro_flight,

@@ -1,8 +1,5 @@
-// The two figures: beliefs as ellipses in the plane of position and velocity, and as bell curves of the
-// position alone.
+// The figure of the steps: beliefs as ellipses in the plane of position and velocity.
 import { PREDICTION, START, UPDATE, zName } from "./steps.js";
-
-const BELL_POINTS = 121;
 
 /** The beliefs that are shown at this moment: [look, label, belief]; the last one may be on its way. */
 function shownBeliefs({ kind, k, beliefs, now }) {
@@ -43,58 +40,6 @@ function measuredStrip(r) {
     { look: "measurement", paint },
     { look: "measurement", at: z, label: "z ± 2√R" },
   ];
-}
-
-/**
- * Bell curves of the position; their height is that of the narrowest one, in powers of 2, so that it rests.
- */
-export function bells(r) {
-  const R = r.model.R[0];
-  const curves = shownBeliefs(r).map(([look, label, { x, P }]) =>
-    bellLayer(look, label, x[0], P[0], r.limits.x),
-  );
-  if (r.kind === UPDATE) {
-    curves.splice(1, 0, bellLayer("measurement", "z", r.z[r.k - 1], R, r.limits.x));
-  }
-  const narrowest = Math.min(r.kind === UPDATE ? R : Infinity, ...variancesOfStep(r));
-  const top = 2 ** Math.ceil(Math.log2(1.05 / Math.sqrt(2 * Math.PI * narrowest)));
-  return { xlim: r.limits.x, ylim: [0, top], layers: curves };
-}
-
-/** Variances of the position before and after this half of the step. */
-function variancesOfStep({ kind, k, beliefs }) {
-  const after = kind === UPDATE ? 2 * k : 2 * k - 1;
-  const ends = kind === START ? [0] : [after - 1, after];
-  return ends.map((moment) => beliefs[moment].P[0]);
-}
-
-function bellLayer(look, label, mean, variance, limits) {
-  const { x, y } = bell(mean, variance, limits);
-  if (look !== "measurement") {
-    return { look, label, x, y };
-  }
-  const paint = (ctx, X, Y) => {
-    ctx.setLineDash([2, 3]); // its dots are dots elsewhere; here it is a curve of dots
-    ctx.lineWidth = 2.4;
-    ctx.beginPath();
-    x.forEach((value, i) => ctx.lineTo(X(value), Y(y[i])));
-    ctx.stroke();
-  };
-  return { look, label, paint };
-}
-
-/** The bell curve of a mean and a variance over the limits. */
-function bell(mean, variance, [low, high]) {
-  const sigma = Math.sqrt(variance);
-  const from = Math.max(low, mean - 5 * sigma);
-  const to = Math.min(high, mean + 5 * sigma);
-  const x = new Float64Array(BELL_POINTS);
-  const y = new Float64Array(BELL_POINTS);
-  for (let i = 0; i < BELL_POINTS; i++) {
-    x[i] = from + ((to - from) * i) / (BELL_POINTS - 1);
-    y[i] = Math.exp(-((x[i] - mean) ** 2) / (2 * variance)) / (sigma * Math.sqrt(2 * Math.PI));
-  }
-  return { x, y };
 }
 
 /** The pointer takes the measurement of this step along. */

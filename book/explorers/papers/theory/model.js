@@ -34,3 +34,11 @@ export function simulate(p, rng, steps = 10) {
 export function run(p, { z, u }) {
   return kalmanFilter(model(p), z, u);
 }
+
+/**
+ * Two measurements of one length, a and b with their variances, become one: {x, P, K}; x = a + K (b - a).
+ */
+export function fuse(a, var_a, b, var_b) {
+  const K = var_a / (var_a + var_b);
+  return { x: a + K * (b - a), P: K * var_b, K };
+}

@@ -1,4 +1,4 @@
-// The hand check of chapter 1: four questions about the step that is shown, and a hint for each likely
+// The hand check of chapter 1: four questions about what is shown, in each view, and a hint for each likely
 // mistake.
 import { ask, isNear } from "../../language/question.js";
 import { COUNT } from "./steps.js";
@@ -128,6 +128,92 @@ function aboutVariance({ before, predicted }, s) {
       return {
         id: "Kiri atas F P Fᵀ + Q: P₁₁ + 2 Δt P₁₂ + Δt² P₂₂ + Q.",
         en: "Top left of F P Fᵀ + Q: P₁₁ + 2 Δt P₁₂ + Δt² P₂₂ + Q.",
+      };
+    },
+  };
+}
+
+// --- the view "bells" --------------------------------------------------------------------------------------
+
+/** About the two rulers that are shown. */
+export function rulerQuestion(r, s, t, random) {
+  const given = { a: s.a, b: s.b, sa: s.sigma_a, sb: s.sigma_b, K: r.K };
+  const kinds = [aboutShare, aboutPlace, aboutFusedVariance, aboutFusedWidth];
+  const kind = kinds[random.whole(kinds.length)];
+  return ask({ tolerance: TOLERANCE, ...kind(r, s) }, given, t, 4);
+}
+
+function aboutShare({ K }, { sigma_a, sigma_b }) {
+  return {
+    text: {
+      id: "Simpangan baku a {sa} cm, b {sb} cm. Berapa K?",
+      en: "The standard deviation of a is {sa} cm, that of b {sb} cm. What is K?",
+    },
+    answer: K,
+    hint(value) {
+      if (isNear(value, 1 - K, NEAR)) {
+        return { id: "Itu 1 − K, bagian untuk a.", en: "That is 1 − K, the share of a." };
+      }
+      if (isNear(value, sigma_a / (sigma_a + sigma_b), NEAR)) {
+        return {
+          id: "Kuadratkan dulu: K memakai varians, bukan simpangan baku.",
+          en: "Square them first: K takes variances, not standard deviations.",
+        };
+      }
+      return { id: "K = σ_a² / (σ_a² + σ_b²).", en: "K = σ_a² / (σ_a² + σ_b²)." };
+    },
+  };
+}
+
+function aboutPlace({ x }, { a, b }) {
+  return {
+    text: {
+      id: "a = {a} cm, b = {b} cm, K = {K}. Berapa x (cm)?",
+      en: "a = {a} cm, b = {b} cm, K = {K}. What is x (cm)?",
+    },
+    answer: x,
+    hint(value) {
+      if (isNear(value, a + b - x, NEAR / 4)) {
+        return { id: "Mulailah dari a, bukan dari b.", en: "Start from a, not from b." };
+      }
+      return { id: "x = a + K (b − a).", en: "x = a + K (b − a)." };
+    },
+  };
+}
+
+function aboutFusedVariance({ P, sigma }, { sigma_a }) {
+  return {
+    text: {
+      id: "Simpangan baku a {sa} cm, K = {K}. Berapa varians gabungan P (cm²)?",
+      en: "The standard deviation of a is {sa} cm, K = {K}. What is the fused variance P (cm²)?",
+    },
+    answer: P,
+    hint(value) {
+      if (isNear(value, sigma, NEAR)) {
+        return { id: "Itu simpangan bakunya; kuadratkan.", en: "That is the standard deviation; square it." };
+      }
+      if (isNear(value, P / sigma_a, NEAR)) {
+        return { id: "Kuadratkan dulu σ_a.", en: "Square σ_a first." };
+      }
+      return { id: "P = (1 − K) σ_a².", en: "P = (1 − K) σ_a²." };
+    },
+  };
+}
+
+function aboutFusedWidth({ P, sigma }) {
+  return {
+    text: {
+      id: "Simpangan baku {sa} cm dan {sb} cm. Berapa simpangan baku gabungannya (cm)?",
+      en: "Standard deviations of {sa} cm and {sb} cm. What is that of both together (cm)?",
+    },
+    answer: sigma,
+    hint(value) {
+      if (isNear(value, P, NEAR)) {
+        return { id: "Itu variansnya; tariklah akarnya.", en: "That is the variance; take its root." };
+      }
+      return {
+        id: "1/P = 1/σ_a² + 1/σ_b², lalu akar P.",
+        en: "1/P = 1/σ_a² + 1/σ_b², then the root of P.",
       };
     },
   };

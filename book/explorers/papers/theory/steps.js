@@ -10,6 +10,7 @@ export const PREDICTION = 1;
 export const UPDATE = 2;
 const LIMIT_STEP = 2; // m, m/s: the axes end at whole ones
 const FARTHEST = 50; // m: the range of a measured position
+const TOO_WIDE = 3; // times what is needed: then the axes close in again
 
 /** The step to which a moment belongs; the start belongs to the first one. */
 export function stepOf(moment) {
@@ -35,7 +36,7 @@ export function given(s) {
 }
 
 /** All beliefs {x: [p, v], P: [P_11, P_12, P_22]}, one a moment, and the one that is shown. */
-export function compute(s) {
+export function compute(s, memo = {}) {
   const made = given(s);
   const z = Float64Array.from(made, (value, i) => s[zName(i + 1)] ?? value);
   const u = new Float64Array(COUNT).fill(s.u);
@@ -55,7 +56,7 @@ export function compute(s) {
     model: m,
     beliefs,
     now: beliefBetween(beliefs, moment),
-    limits: limits(beliefs, z),
+    limits: restingLimits(memo, beliefs, z, moment),
   };
 }
 
@@ -76,21 +77,41 @@ function beliefBetween(beliefs, moment) {
   return { x: mix(before.x, after.x), P: mix(before.P, after.P) };
 }
 
-/** What holds every belief and measurement, so that the axes rest while things move. */
-function limits(beliefs, z) {
-  return { x: span(beliefs, 0, Array.from(z)), v: span(beliefs, 1, []) };
+/**
+ * Axes {x, v} that hold every belief and measurement. They rest while a slider moves, until what is shown at
+ * this moment would leave them, or get lost in them; memo keeps them.
+ */
+function restingLimits(memo, beliefs, z, moment) {
+  const shown = beliefs.slice(Math.max(Math.ceil(moment) - 1, 0), Math.ceil(moment) + 1);
+  const measured = kindOf(moment) === UPDATE ? [z[stepOf(moment) - 1]] : [];
+  memo.x = rested(memo.x, span(beliefs, 0, Array.from(z)), ends(shown, 0, measured, 2));
+  memo.v = rested(memo.v, span(beliefs, 1, []), ends(shown, 1, [], 2));
+  return { x: memo.x, v: memo.v };
 }
 
-/**
- * [low, high] of state i in whole steps: 2.5 standard deviations around a belief, 0.5 around a measurement.
- */
-function span(beliefs, i, measured) {
-  const ends = measured.flatMap((value) => [value - 0.5, value + 0.5]);
-  for (const { x, P } of beliefs) {
-    const reach = 2.5 * Math.sqrt(P[2 * i]);
-    ends.push(x[i] - reach, x[i] + reach);
+/** The old limits, if they hold all ends and are not far too wide; else the wanted ones. */
+function rested(old, wanted, mustHold) {
+  if (!old) {
+    return wanted;
   }
-  const low = Math.floor(Math.min(...ends) / LIMIT_STEP);
-  const high = Math.ceil(Math.max(...ends) / LIMIT_STEP);
+  const holds = Math.min(...mustHold) >= old[0] && Math.max(...mustHold) <= old[1];
+  return holds && old[1] - old[0] <= TOO_WIDE * (wanted[1] - wanted[0]) ? old : wanted;
+}
+
+/** [low, high] of state i in whole steps, 2.5 standard deviations around every belief. */
+function span(beliefs, i, measured) {
+  const all = ends(beliefs, i, measured, 2.5);
+  const low = Math.floor(Math.min(...all) / LIMIT_STEP);
+  const high = Math.ceil(Math.max(...all) / LIMIT_STEP);
   return [LIMIT_STEP * low, LIMIT_STEP * high];
+}
+
+/** Where beliefs end, so many standard deviations from their centres, and measurements, 0.5 m from them. */
+function ends(beliefs, i, measured, sigmas) {
+  const found = measured.flatMap((value) => [value - 0.5, value + 0.5]);
+  for (const { x, P } of beliefs) {
+    const reach = sigmas * Math.sqrt(P[2 * i]);
+    found.push(x[i] - reach, x[i] + reach);
+  }
+  return found;
 }

@@ -1,8 +1,9 @@
 // What the explorer of chapter 1 shows: its controls, figures, sentences and equations.
-import { bells, drag, plane } from "./figures.js";
+import { drag, plane } from "./figures.js";
 import { question } from "./questions.js";
 import { COUNT, LAST, START, UPDATE, compute, given, kindOf, stepOf, zName } from "./steps.js";
-import { BELLS, CONTROLS, NAME, ORIGINS, PLANE, TEXTS, TITLES } from "./words.js";
+import { strip } from "./strip.js";
+import { CONTROLS, GAIN, NAME, ORIGINS, PLANE, TEXTS, TITLES } from "./words.js";
 
 const PRINTED_Z = 2.2; // m: the measurement of the worked example
 
@@ -200,8 +201,8 @@ export const steps = {
   noise: true,
   compute,
   plots: [
-    { ...PLANE, xlabel: "p (m)", height: 250, draw: plane, drag },
-    { ...BELLS, xlabel: "p (m)", height: 170, draw: bells, drag },
+    { ...PLANE, xlabel: "p (m)", height: 235, draw: plane, drag },
+    { ...GAIN, height: 88, bare: true, draw: strip },
   ],
   outcome,
   equations,

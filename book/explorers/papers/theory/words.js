@@ -68,10 +68,43 @@ export const PLANE = {
   },
 };
 
-export const BELLS = {
-  title: { id: "Posisi saja", en: "The position alone" },
+export const GAIN = {
+  title: { id: "Penguatan dan posisi, dengan angka", en: "Gain and position, in numbers" },
   alt: {
-    id: "Kurva lonceng posisi: prediksi, pengukuran, dan estimasi.",
-    en: "Bell curves of the position: prediction, measurement and estimate.",
+    id: "Persamaan langkah ini untuk posisi, diisi dengan angka.",
+    en: "The equations of this step for the position, filled with numbers.",
+  },
+};
+
+/** The view "bells". */
+export const RULERS = {
+  name: { id: "Dua lonceng yang dapat diseret", en: "Two bells to drag" },
+  title: { id: "Seret titik atau lingkaran", en: "Drag a dot or a ring" },
+  alt: {
+    id:
+      "Tiga kurva lonceng di atas skala sentimeter: penggaris a, penggaris b, dan gabungannya x. " +
+      "Di bawahnya sebuah jungkat-jungkit dari a ke b yang bertumpu di x; bebannya satu per varians.",
+    en:
+      "Three bell curves above a scale in centimetres: ruler a, ruler b, and x, both together. " +
+      "Below them a see-saw from a to b that rests on x; its weights are one over the variance.",
+  },
+  first: { id: "penggaris pertama", en: "first ruler" },
+  second: { id: "penggaris kedua", en: "second ruler" },
+  width: { id: "simpangan bakunya", en: "its standard deviation" },
+  outcome: {
+    id:
+      "Dari a = {a} cm kita bergeser {percent} % menuju b = {b} cm: K = {K}. " +
+      "Hasilnya x = {x} cm, simpangan baku {sigma} cm.",
+    en:
+      "From a = {a} cm we go {percent} % of the way to b = {b} cm: K = {K}. " +
+      "The result is x = {x} cm, with a standard deviation of {sigma} cm.",
+  },
+  rare: {
+    id:
+      "Awas: bacaannya berselisih {gap} cm, padahal biasanya sekitar {expected} cm. " +
+      "Lonceng biru tidak tahu itu.",
+    en:
+      "Mind: the readings differ by {gap} cm where about {expected} cm is usual. " +
+      "The blue bell does not know.",
   },
 };
