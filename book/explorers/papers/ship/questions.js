@@ -44,6 +44,42 @@ function someStep({ T }, z, random) {
   return k;
 }
 
+/** The hand check of the poles by hand: a step of the forecast, or where the poles are. */
+export function aboutForecast(r, s, t, random) {
+  const k = 2 + random.whole(4);
+  const [older, before, next] = r.s.subarray(k - 2, k + 1);
+  const given = { k: String(k + 1), last: before, before: older, a1: s.a1, a2: s.a2 };
+  const step = {
+    text: {
+      id: "a₁ = {a1}, a₂ = {a2}; kecepatan terakhir {last} m/s, sebelumnya {before} m/s. Berapa s_{k} (m/s)?",
+      en: "a₁ = {a1}, a₂ = {a2}; last speed {last} m/s, the one before {before} m/s. What is s_{k} (m/s)?",
+    },
+    answer: next,
+    hint: (value) => (isNear(value, s.a1 * older + s.a2 * before, NEAR) ? SWAPPED : SUM),
+  };
+  const kind = random.whole(2) === 0 ? step : aboutThePoles(r.poles, s);
+  return ask({ ...kind, tolerance: TOLERANCE }, given, t, 4);
+}
+
+const SWAPPED = {
+  id: "Kedua kecepatan tertukar: a₁ milik yang terakhir.",
+  en: "The two speeds are swapped: a₁ belongs to the last one.",
+};
+const SUM = {
+  id: "a₁ kali kecepatan terakhir, ditambah a₂ kali kecepatan sebelumnya.",
+  en: "a₁ times the last speed, plus a₂ times the one before.",
+};
+
+/** The hand check of the noise: where the fitted poles are. */
+export function aboutFit(r, s, t) {
+  const [, a1, a2] = r.theta;
+  return ask({ ...aboutThePoles(r.poles, { a1, a2 }), tolerance: TOLERANCE }, { a1, a2 }, t, 4);
+}
+
+function aboutThePoles(pair, p) {
+  return pair[0][1] > 0 ? aboutComplexPoles({ p }) : aboutRealPoles({ poles: pair });
+}
+
 function aboutPrediction({ p, x_pred }) {
   return {
     text: {
@@ -110,13 +146,13 @@ function aboutUpdate({ x_pred, z, K, x }) {
 function aboutComplexPoles({ p }) {
   return {
     text: {
-      id: "a₁ = {a1}, a₂ = {a2}: kutubnya kompleks. Berapa jauhnya dari nol, |p|?",
-      en: "a₁ = {a1}, a₂ = {a2}: the poles are complex. How far from zero are they, |p|?",
+      id: "a₁ = {a1}, a₂ = {a2}: kutubnya kompleks. Berapa jauhnya dari nol, |λ|?",
+      en: "a₁ = {a1}, a₂ = {a2}: the poles are complex. How far from zero are they, |λ|?",
     },
     answer: Math.sqrt(-p.a2),
     hint: () => ({
-      id: "Hasil kali kedua kutub adalah −a₂, jadi |p|² = −a₂.",
-      en: "The product of both poles is −a₂, so |p|² = −a₂.",
+      id: "Hasil kali kedua kutub adalah −a₂, jadi |λ|² = −a₂.",
+      en: "The product of both poles is −a₂, so |λ|² = −a₂.",
     }),
   };
 }
@@ -124,15 +160,15 @@ function aboutComplexPoles({ p }) {
 function aboutRealPoles({ poles: [[largest], [other]] }) {
   return {
     text: {
-      id: "a₁ = {a1}, a₂ = {a2}. Berapa kutub yang terbesar, yaitu akar terbesar p² − a₁ p − a₂ = 0?",
-      en: "a₁ = {a1}, a₂ = {a2}. What is the largest pole, the largest root of p² − a₁ p − a₂ = 0?",
+      id: "a₁ = {a1}, a₂ = {a2}. Berapa kutub yang terbesar, yaitu akar terbesar λ² − a₁ λ − a₂ = 0?",
+      en: "a₁ = {a1}, a₂ = {a2}. What is the largest pole, the largest root of λ² − a₁ λ − a₂ = 0?",
     },
     answer: largest,
     hint(value) {
       if (isNear(value, other, NEAR)) {
         return { id: "Itu kutub yang lain.", en: "That is the other pole." };
       }
-      return { id: "p = a₁/2 + √(a₁²/4 + a₂).", en: "p = a₁/2 + √(a₁²/4 + a₂)." };
+      return { id: "λ = a₁/2 + √(a₁²/4 + a₂).", en: "λ = a₁/2 + √(a₁²/4 + a₂)." };
     },
   };
 }
