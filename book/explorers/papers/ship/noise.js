@@ -1,11 +1,11 @@
 // The second explorer of chapter 4: noise is added to the towing run, and the fitted poles move.
 import { generator } from "../../numerics/random.js";
-import { bias, drawBias, LEAST, noiseAt } from "./bias.js";
+import { bias, LEAST, noiseAt } from "./bias.js";
 import { expected_fit, fit, poles, towing_run } from "./model.js";
 import { circle, marks, polesText } from "./plane.js";
 import { forecast } from "./poles.js";
 import { aboutFit } from "./questions.js";
-import { BIAS, CONTROLS, FACTS, FROM_TWO, HAND_POLES, LABELS, MOVED } from "./words.js";
+import { CONTROLS, FROM_TWO, HAND_POLES, LABELS, MOVED } from "./words.js";
 
 const NOW = 80; // samples: at 8 s, in the middle of the acceleration
 const AHEAD = 15; // samples
@@ -88,21 +88,6 @@ function outcome(r, s, t) {
   return t.say(MOVED.result, values);
 }
 
-function facts(r, s, t) {
-  const columns = [
-    [FACTS.fit, r.theta],
-    [FACTS.average, expected_fit(r.x, s.sigma)],
-    [FACTS.still, r.still],
-  ];
-  const thetas = columns.map(([, theta]) => theta);
-  const row = (name, i) => [name, ...thetas.map((theta) => t.decimal(theta[i], 4))];
-  const found_poles = thetas.map(([, a1, a2]) => polesText(poles(a1, a2), t));
-  return {
-    head: ["AR(2)", ...columns.map(([words]) => t.say(words))],
-    rows: [row("c (m/s)", 0), row("a_1", 1), row("a_2", 2), [t.say(FACTS.poles), ...found_poles]],
-  };
-}
-
 function numbers(r, s, t) {
   const rows = [];
   for (let k = NOW - SHOWN; k <= NOW + AHEAD; k++) {
@@ -123,19 +108,9 @@ export const noise = {
   compute,
   plots: [
     { ...HAND_POLES, bare: true, height: 250, equal: true, drag: dragPole, draw: drawPlane },
-    { ...FROM_TWO, xlabel: "t (s)", height: 220, draw: drawForecast },
-    {
-      ...BIAS,
-      xlabel: "σ (m/s)",
-      height: 230,
-      after: true,
-      xlog: true,
-      drag: (x) => ({ sigma: noiseAt(x) }),
-      draw: drawBias,
-    },
+    { ...FROM_TWO, xlabel: "t (s)", height: 200, draw: drawForecast },
   ],
   outcome,
-  facts,
   numbers,
   question: aboutFit,
 };

@@ -114,12 +114,15 @@ function equations({ s }, { a1, a2 }, t) {
     const sum = `${write(a1)} · ${bracketed(s[k - 2])} + ${bracketed(a2)} · ${bracketed(s[k - 3])}`;
     return [`s_${k} = ${sum} = ${write(s[k - 1])}`];
   };
-  return [["s_k = a_1 s_k-1 + a_2 s_k-2"], line(3), line(4)];
+  return [["s_k = a_1 s_k−1 + a_2 s_k−2"], line(3), line(4)];
 }
 
-function numbers({ s }, _, t) {
-  const rows = Array.from(s, (value, i) => [String(i + 1), t.decimal(value, 4)]);
-  return { head: ["k", "s_k (m/s)"], rows };
+function numbers({ s }, { a1, a2 }, t) {
+  const rows = Array.from(s.subarray(2), (value, i) => {
+    const parts = [s[i], s[i + 1], a1 * s[i + 1], a2 * s[i], value];
+    return [String(i + 3), ...parts.map((part) => t.decimal(part, 4))];
+  });
+  return { head: ["k", "s_k−2 (m/s)", "s_k−1 (m/s)", "a_1 s_k−1", "a_2 s_k−2", "s_k (m/s)"], rows };
 }
 
 const RANGE = { step: 0.01, log: false };
@@ -141,7 +144,7 @@ export const by_hand = {
   compute,
   plots: [
     { ...HAND_POLES, bare: true, height: 260, equal: true, drag: dragPole, draw: drawPlane },
-    { ...CONTINUED, xlabel: "k", height: 220, draw: drawForecast },
+    { ...CONTINUED, xlabel: "k", height: 200, draw: drawForecast },
   ],
   outcome,
   equations,

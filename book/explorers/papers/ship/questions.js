@@ -44,41 +44,50 @@ function someStep({ T }, z, random) {
   return k;
 }
 
-/** The hand check of the poles by hand: a step of the forecast, or where the poles are. */
+/** The hand check of the poles by hand: one of the first forecasts. */
 export function aboutForecast(r, s, t, random) {
-  const k = 2 + random.whole(4);
-  const [older, before, next] = r.s.subarray(k - 2, k + 1);
-  const given = { k: String(k + 1), last: before, before: older, a1: s.a1, a2: s.a2 };
-  const step = {
-    text: {
-      id: "a₁ = {a1}, a₂ = {a2}; kecepatan terakhir {last} m/s, sebelumnya {before} m/s. Berapa s_{k} (m/s)?",
-      en: "a₁ = {a1}, a₂ = {a2}; last speed {last} m/s, the one before {before} m/s. What is s_{k} (m/s)?",
-    },
-    answer: next,
-    hint: (value) => (isNear(value, s.a1 * older + s.a2 * before, NEAR) ? SWAPPED : SUM),
-  };
-  const kind = random.whole(2) === 0 ? step : aboutThePoles(r.poles, s);
-  return ask({ ...kind, tolerance: TOLERANCE }, given, t, 4);
+  const k = 2 + random.whole(8);
+  return nextAfter(r.s[k - 1], r.s[k - 2], [0, s.a1, s.a2], t);
 }
 
+/** The hand check of the noise: what the fitted model says after two of the measurements shown. */
+export function aboutFit(r, s, t, random) {
+  const k = 46 + random.whole(34);
+  return nextAfter(r.z[k], r.z[k - 1], r.theta, t);
+}
+
+function nextAfter(last, before, [c, a1, a2], t) {
+  const kind = {
+    text: c === 0 ? NEXT.without_c : NEXT.with_c,
+    answer: c + a1 * last + a2 * before,
+    tolerance: TOLERANCE,
+    hint: (value) => (isNear(value, c + a1 * before + a2 * last, NEAR) ? SWAPPED : SUM),
+  };
+  return ask(kind, { last, before, c, a1, a2 }, t, 4);
+}
+
+const NEXT = {
+  without_c: {
+    id: "a₁ = {a1}, a₂ = {a2}; kecepatan terakhir {last} m/s, sebelumnya {before} m/s. Berikutnya (m/s)?",
+    en: "a₁ = {a1}, a₂ = {a2}; the last speed {last} m/s, the one before {before} m/s: what is next (m/s)?",
+  },
+  with_c: {
+    id:
+      "c = {c} m/s, a₁ = {a1}, a₂ = {a2}; kecepatan terakhir {last} m/s, sebelumnya {before} m/s. " +
+      "Berapa ramalan berikutnya (m/s)?",
+    en:
+      "c = {c} m/s, a₁ = {a1}, a₂ = {a2}; last speed {last} m/s, the one before {before} m/s. " +
+      "What is the next forecast (m/s)?",
+  },
+};
 const SWAPPED = {
   id: "Kedua kecepatan tertukar: a₁ milik yang terakhir.",
   en: "The two speeds are swapped: a₁ belongs to the last one.",
 };
 const SUM = {
-  id: "a₁ kali kecepatan terakhir, ditambah a₂ kali kecepatan sebelumnya.",
-  en: "a₁ times the last speed, plus a₂ times the one before.",
+  id: "c (bila ada), ditambah a₁ kali kecepatan terakhir, ditambah a₂ kali kecepatan sebelumnya.",
+  en: "c (if there is one), plus a₁ times the last speed, plus a₂ times the one before.",
 };
-
-/** The hand check of the noise: where the fitted poles are. */
-export function aboutFit(r, s, t) {
-  const [, a1, a2] = r.theta;
-  return ask({ ...aboutThePoles(r.poles, { a1, a2 }), tolerance: TOLERANCE }, { a1, a2 }, t, 4);
-}
-
-function aboutThePoles(pair, p) {
-  return pair[0][1] > 0 ? aboutComplexPoles({ p }) : aboutRealPoles({ poles: pair });
-}
 
 function aboutPrediction({ p, x_pred }) {
   return {

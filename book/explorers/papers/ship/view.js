@@ -1,13 +1,12 @@
 // What the explorer of chapter 4 shows: the fit of AR(2), its poles, and the filter with the fitted model.
 import { mean, nis, rmse } from "../../numerics/metrics.js";
-import { generator } from "../../numerics/random.js";
 import { rtsSmooth } from "../../numerics/smoother.js";
-import { LEAST } from "./bias.js";
-import { SPEED_UNITS, TIME_UNITS, expected_fit, poles, run, towing_run } from "./model.js";
+import { bias, drawBias, LEAST, noiseAt } from "./bias.js";
+import { SPEED_UNITS, TIME_UNITS, expected_fit, poles, run } from "./model.js";
 import { circle, marks, polesText } from "./plane.js";
 import { question } from "./questions.js";
 import { columnNames, isOwn, load } from "./recording.js";
-import { CONTROLS, FACTS, LABELS, NAME, OUTCOME, POLES, SPEED } from "./words.js";
+import { BIAS, CONTROLS, FACTS, LABELS, NAME, OUTCOME, POLES, SPEED } from "./words.js";
 
 const TABLE_ROWS = 500;
 
@@ -43,11 +42,14 @@ function compute(s, memo) {
   };
 }
 
-/** Only for the synthetic run: {still, average}, the fit without noise and on average. */
+/**
+ * Only for the synthetic run: {curve, still, average}, the bias over the noise, the fit without noise and on
+ * average.
+ */
 function withoutNoise(s, memo) {
-  memo.still_run ??= towing_run(generator(0), 0).x;
-  memo.without ??= expected_fit(memo.still_run, 0);
-  return { still: memo.without, average: expected_fit(memo.still_run, s.sigma) };
+  const curve = bias(s, memo);
+  memo.without ??= expected_fit(curve.x, 0);
+  return { curve, still: memo.without, average: expected_fit(curve.x, s.sigma) };
 }
 
 // --- figures -----------------------------------------------------------------------------------------------
@@ -212,7 +214,18 @@ export const view = {
   compute,
   plots: [
     { ...SPEED, xlabel: "t (s)", height: 240, draw: drawSpeed },
-    { ...POLES, xlabel: "Re λ", height: 230, after: true, equal: true, draw: drawPoles },
+    { ...POLES, xlabel: "Re λ", height: 230, half: true, after: true, equal: true, draw: drawPoles },
+    {
+      ...BIAS,
+      xlabel: "σ (m/s)",
+      height: 230,
+      half: true,
+      after: true,
+      xlog: true,
+      visible: isSynthetic,
+      drag: (x) => ({ sigma: noiseAt(x) }),
+      draw: drawBias,
+    },
   ],
   outcome,
   facts,
