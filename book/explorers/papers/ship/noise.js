@@ -107,7 +107,7 @@ export const noise = {
   ],
   compute,
   plots: [
-    { ...HAND_POLES, bare: true, height: 250, equal: true, drag: dragPole, draw: drawPlane },
+    { ...HAND_POLES, bare: true, height: 230, equal: true, drag: dragPole, draw: drawPlane },
     { ...FROM_TWO, xlabel: "t (s)", height: 200, draw: drawForecast },
   ],
   outcome,
