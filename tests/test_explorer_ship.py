@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 import pytest
-from explorer_helpers import RELATIVE, SETS, explorer_of, picture, set_state, shown
+from explorer_helpers import RELATIVE, SETS, pages_with_explorers, picture, set_state, shown
 
 from kalman_lib import kalman_filter, rts_smooth
 from kalman_lib.papers import ship
@@ -14,7 +14,12 @@ from kalman_lib.papers import ship
 
 def run_of(site, opened, language):
     """(browser page, trouble, locator) of the view that takes recordings."""
-    page, trouble, _ = explorer_of("ship", site, opened, language)
+    path = next(
+        path
+        for path in pages_with_explorers(site, language)
+        if '<kalman-explorer paper="ship">' in path.read_text(encoding="utf-8")
+    )
+    page, trouble = opened(path)
     return page, trouble, page.locator('kalman-explorer[paper="ship"]:not([view])')
 
 
