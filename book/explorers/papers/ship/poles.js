@@ -122,7 +122,7 @@ function numbers({ s }, { a1, a2 }, t) {
     const parts = [s[i], s[i + 1], a1 * s[i + 1], a2 * s[i], value];
     return [String(i + 3), ...parts.map((part) => t.decimal(part, 4))];
   });
-  return { head: ["k", "s_k−2 (m/s)", "s_k−1 (m/s)", "a_1 s_k−1", "a_2 s_k−2", "s_k (m/s)"], rows };
+  return { head: ["k", "s[k−2] (m/s)", "s[k−1] (m/s)", "a_1 s[k−1]", "a_2 s[k−2]", "s[k] (m/s)"], rows };
 }
 
 const RANGE = { step: 0.01, log: false };
