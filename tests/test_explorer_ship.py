@@ -6,10 +6,67 @@ import re
 
 import numpy as np
 import pytest
-from explorer_helpers import RELATIVE, SETS, explorer_of, picture, set_state, shown
+from explorer_helpers import RELATIVE, SETS, pages_with_explorers, picture, set_state, shown
 
 from kalman_lib import kalman_filter, rts_smooth
 from kalman_lib.papers import ship
+
+
+def run_of(site, opened, language):
+    """(browser page, trouble, locator) of the view that takes recordings."""
+    path = next(
+        path
+        for path in pages_with_explorers(site, language)
+        if '<kalman-explorer paper="ship">' in path.read_text(encoding="utf-8")
+    )
+    page, trouble = opened(path)
+    return page, trouble, page.locator('kalman-explorer[paper="ship"]:not([view])')
+
+
+def test_ship_prolongs_two_speeds_as_one_does_by_hand(bundle):
+    """0.9 and 1 m/s: 1.6 - 0.72, then a straight line, then the mean of both."""
+    said = bundle.evaluate(
+        """models => models.map(([a1, a2]) => {
+          const { compute } = KalmanExplorers.papers.ship.views.poles;
+          return Array.from(compute({ a1, a2 }).s.subarray(0, 5));
+        })""",
+        [[1.6, -0.8], [2, -1], [0.5, 0.5]],
+    )
+    expected = [
+        [0.9, 1, 0.88, 0.608, 0.2688],
+        [0.9, 1, 1.1, 1.2, 1.3],
+        [0.9, 1, 0.95, 0.975, 0.9625],
+    ]
+    assert np.allclose(said, expected, rtol=1e-12)
+
+
+def test_ship_a_pole_follows_the_pointer(bundle):
+    """Above the real axis both move as mirror images; on it the nearer one moves alone."""
+    drag = """([[x, y], [a1, a2]]) => {
+      const { poles, views } = KalmanExplorers.papers.ship;
+      const moved = views.poles.plots[0].drag(x, y, { a1, a2 }, { poles: poles(a1, a2) });
+      return poles(moved.a1, moved.a2).flat();
+    }"""
+    above = bundle.evaluate(drag, [[0.3, -0.6], [1.6, -0.8]])
+    assert np.allclose(above, [0.3, 0.6, 0.3, -0.6], atol=1e-12)
+    beside = bundle.evaluate(drag, [[-0.4, 0.01], [1.4, -0.48]])  # poles at 0.8 and 0.6
+    assert np.allclose(beside, [0.8, 0, -0.4, 0], atol=1e-12)
+    landed = bundle.evaluate(drag, [[0.5, 0.01], [1.6, -0.8]])
+    assert np.allclose(landed, [0.5, 0, 0.5, 0], atol=1e-6)
+
+
+@pytest.mark.parametrize("real", [0.8, 0.3, 0, -0.4])
+def test_ship_a_dragged_pole_tells_the_noise_that_moves_it_there(real, bundle):
+    sigma = bundle.evaluate(
+        """([x, s]) => {
+          const { compute, plots } = KalmanExplorers.papers.ship.views.noise;
+          return plots[0].drag(x, 0, s, compute(s, {})).sigma;
+        }""",
+        [real, {"sigma": 0.1, "seed": 2}],
+    )
+    still = ship.towing_run(np.random.default_rng(0), 0)[1].x[:, 0]
+    pole = ship.poles(*ship.expected_fit(still, sigma)[1:])[1].real
+    assert abs(pole - real) < 0.06  # between two points of the curve
 
 
 def test_ship_the_fit_and_what_noise_does_to_it_as_in_python(bundle):
@@ -94,7 +151,7 @@ def own_run(rows=200):
 @pytest.mark.parametrize("way", ["pasted", "file"])
 @pytest.mark.parametrize("language", ["id", "en"])
 def test_ship_filters_a_recording_of_the_reader_as_python_does(way, language, site, opened):
-    page, _, element = explorer_of("ship", site, opened, language)
+    page, _, element = run_of(site, opened, language)
     text, t, z = own_run()
     hand_over(text, way, page, element)
     element.locator("select").nth(0).select_option("ms")
@@ -154,7 +211,7 @@ def then_an_uneven_one_and_back(text, language, element):
 
 @pytest.mark.parametrize("language", ["id", "en"])
 def test_ship_chooses_among_several_columns(language, site, opened):
-    _, trouble, element = explorer_of("ship", site, opened, language)
+    _, trouble, element = run_of(site, opened, language)
     t, run = ship.towing_run(np.random.default_rng(3))
     lines = [
         f"7;{a:.1f};{'' if k == 40 else f'{b:.4f}'}" for k, (a, b) in enumerate(zip(t, run.z[:, 0]))
@@ -198,7 +255,7 @@ BAD_RECORDINGS = [
 
 @pytest.mark.parametrize("language", ["id", "en"])
 def test_ship_refuses_what_is_no_recording_in_one_sentence(language, site, opened):
-    _, trouble, element = explorer_of("ship", site, opened, language)
+    _, trouble, element = run_of(site, opened, language)
     shown(element)
     drawn = picture(element)
     message = element.locator(".explorer-message")

@@ -116,6 +116,18 @@ def ship_run(p, rng):
     )
 
 
+def ship_poles(p, rng):
+    """The poles of the model that the reader holds."""
+    return plots.poles({r"$\lambda$": ship.poles(p.a1, p.a2)})
+
+
+def ship_noise(p, rng):
+    """The poles fitted to a noisy run, beside those of the run without noise."""
+    _, run = ship.towing_run(rng, p.sigma)
+    fits = {"$z$": run.z[:, 0], r"$x_{\mathrm{true}}$": run.x[:, 0]}
+    return plots.poles({name: ship.poles(*ship.fit(speed)[1:]) for name, speed in fits.items()})
+
+
 def beetle_walk(p, rng):
     """The distance over 20 s."""
     walk = beetle.simulate(p, rng, round(20 / p.dt))
@@ -156,6 +168,8 @@ PICTURES = {
     ("gyro", "flight"): gyro_flight,
     ("gyro", "mismatch"): gyro_mismatch,
     ("ship", "run"): ship_run,
+    ("ship", "poles"): ship_poles,
+    ("ship", "noise"): ship_noise,
     ("beetle", "walk"): beetle_walk,
     ("quadrotor", "flight"): quadrotor_flight,
 }

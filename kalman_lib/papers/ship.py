@@ -155,7 +155,7 @@ def expected_fit(x, sigma):
 
 
 def poles(a1, a2):
-    """The roots of p^2 - a1 p - a2 = 0, the eigenvalues of F; stable inside the unit circle."""
+    """The roots l of l^2 - a1 l - a2 = 0, the eigenvalues of F; stable inside the unit circle."""
     root = np.sqrt(complex(a1**2 / 4 + a2))
     return np.array([a1 / 2 + root, a1 / 2 - root])
 

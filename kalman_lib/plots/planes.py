@@ -119,11 +119,11 @@ def poles(sets, zoom=None, height=2.6):
     """
     columns = 1 if zoom is None else 2
     reach = 1.08 * max(1, *(np.abs(values).max() for values in sets.values()))
-    with new_figure(height, columns=columns, xlabel=r"$\mathrm{Re}\,p$") as (figure, axes):
+    with new_figure(height, columns=columns, xlabel=r"$\mathrm{Re}\,\lambda$") as (figure, axes):
         whole, *parts = np.atleast_1d(axes)
         _draw_poles(whole, sets, is_part=False)
         whole.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal")
-        whole.set(ylabel=r"$\mathrm{Im}\,p$")
+        whole.set(ylabel=r"$\mathrm{Im}\,\lambda$")
         for part in parts:
             _draw_poles(part, sets, is_part=True)
             part.set(xlim=zoom[0], ylim=zoom[1])

@@ -110,7 +110,7 @@ export function expected_fit(x, sigma) {
   return solve(A, b, 3, 1) ? b : null;
 }
 
-/** The two roots of p^2 - a1 p - a2 = 0 as [real, imaginary]; stable inside the unit circle. */
+/** The two roots l of l^2 - a1 l - a2 = 0 as [real, imaginary]; stable inside the unit circle. */
 export function poles(a1, a2) {
   const square = a1 ** 2 / 4 + a2;
   const root = Math.sqrt(Math.abs(square));

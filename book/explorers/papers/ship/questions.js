@@ -44,6 +44,51 @@ function someStep({ T }, z, random) {
   return k;
 }
 
+/** The hand check of the poles by hand: one of the first forecasts. */
+export function aboutForecast(r, s, t, random) {
+  const k = 2 + random.whole(8);
+  return nextAfter(r.s[k - 1], r.s[k - 2], [0, s.a1, s.a2], t);
+}
+
+/** The hand check of the noise: what the fitted model says after two of the measurements shown. */
+export function aboutFit(r, s, t, random) {
+  const k = 46 + random.whole(34);
+  return nextAfter(r.z[k], r.z[k - 1], r.theta, t);
+}
+
+function nextAfter(last, before, [c, a1, a2], t) {
+  const kind = {
+    text: c === 0 ? NEXT.without_c : NEXT.with_c,
+    answer: c + a1 * last + a2 * before,
+    tolerance: TOLERANCE,
+    hint: (value) => (isNear(value, c + a1 * before + a2 * last, NEAR) ? SWAPPED : SUM),
+  };
+  return ask(kind, { last, before, c, a1, a2 }, t, 4);
+}
+
+const NEXT = {
+  without_c: {
+    id: "a₁ = {a1}, a₂ = {a2}; kecepatan terakhir {last} m/s, sebelumnya {before} m/s. Berikutnya (m/s)?",
+    en: "a₁ = {a1}, a₂ = {a2}; the last speed {last} m/s, the one before {before} m/s: what is next (m/s)?",
+  },
+  with_c: {
+    id:
+      "c = {c} m/s, a₁ = {a1}, a₂ = {a2}; kecepatan terakhir {last} m/s, sebelumnya {before} m/s. " +
+      "Berapa ramalan berikutnya (m/s)?",
+    en:
+      "c = {c} m/s, a₁ = {a1}, a₂ = {a2}; last speed {last} m/s, the one before {before} m/s. " +
+      "What is the next forecast (m/s)?",
+  },
+};
+const SWAPPED = {
+  id: "Kedua kecepatan tertukar: a₁ milik yang terakhir.",
+  en: "The two speeds are swapped: a₁ belongs to the last one.",
+};
+const SUM = {
+  id: "c (bila ada), ditambah a₁ kali kecepatan terakhir, ditambah a₂ kali kecepatan sebelumnya.",
+  en: "c (if there is one), plus a₁ times the last speed, plus a₂ times the one before.",
+};
+
 function aboutPrediction({ p, x_pred }) {
   return {
     text: {
@@ -110,13 +155,13 @@ function aboutUpdate({ x_pred, z, K, x }) {
 function aboutComplexPoles({ p }) {
   return {
     text: {
-      id: "a₁ = {a1}, a₂ = {a2}: kutubnya kompleks. Berapa jauhnya dari nol, |p|?",
-      en: "a₁ = {a1}, a₂ = {a2}: the poles are complex. How far from zero are they, |p|?",
+      id: "a₁ = {a1}, a₂ = {a2}: kutubnya kompleks. Berapa jauhnya dari nol, |λ|?",
+      en: "a₁ = {a1}, a₂ = {a2}: the poles are complex. How far from zero are they, |λ|?",
     },
     answer: Math.sqrt(-p.a2),
     hint: () => ({
-      id: "Hasil kali kedua kutub adalah −a₂, jadi |p|² = −a₂.",
-      en: "The product of both poles is −a₂, so |p|² = −a₂.",
+      id: "Hasil kali kedua kutub adalah −a₂, jadi |λ|² = −a₂.",
+      en: "The product of both poles is −a₂, so |λ|² = −a₂.",
     }),
   };
 }
@@ -124,15 +169,15 @@ function aboutComplexPoles({ p }) {
 function aboutRealPoles({ poles: [[largest], [other]] }) {
   return {
     text: {
-      id: "a₁ = {a1}, a₂ = {a2}. Berapa kutub yang terbesar, yaitu akar terbesar p² − a₁ p − a₂ = 0?",
-      en: "a₁ = {a1}, a₂ = {a2}. What is the largest pole, the largest root of p² − a₁ p − a₂ = 0?",
+      id: "a₁ = {a1}, a₂ = {a2}. Berapa kutub yang terbesar, yaitu akar terbesar λ² − a₁ λ − a₂ = 0?",
+      en: "a₁ = {a1}, a₂ = {a2}. What is the largest pole, the largest root of λ² − a₁ λ − a₂ = 0?",
     },
     answer: largest,
     hint(value) {
       if (isNear(value, other, NEAR)) {
         return { id: "Itu kutub yang lain.", en: "That is the other pole." };
       }
-      return { id: "p = a₁/2 + √(a₁²/4 + a₂).", en: "p = a₁/2 + √(a₁²/4 + a₂)." };
+      return { id: "λ = a₁/2 + √(a₁²/4 + a₂).", en: "λ = a₁/2 + √(a₁²/4 + a₂)." };
     },
   };
 }

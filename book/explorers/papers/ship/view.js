@@ -3,6 +3,7 @@ import { mean, nis, rmse } from "../../numerics/metrics.js";
 import { rtsSmooth } from "../../numerics/smoother.js";
 import { bias, drawBias, LEAST, noiseAt } from "./bias.js";
 import { SPEED_UNITS, TIME_UNITS, expected_fit, poles, run } from "./model.js";
+import { circle, marks, polesText } from "./plane.js";
 import { question } from "./questions.js";
 import { columnNames, isOwn, load } from "./recording.js";
 import { BIAS, CONTROLS, FACTS, LABELS, NAME, OUTCOME, POLES, SPEED } from "./words.js";
@@ -70,23 +71,14 @@ function drawPoles(r) {
   const still = r.still ? poles(r.still[1], r.still[2]) : [];
   const sizes = [...r.poles, ...still].map(([real, imaginary]) => Math.hypot(real, imaginary));
   const reach = 1.1 * Math.max(1, ...sizes);
-  const unitCircle = (ctx, X, Y) => {
-    ctx.setLineDash([]);
-    ctx.beginPath();
-    ctx.arc(X(0), Y(0), X(1) - X(0), 0, 7);
-    ctx.stroke();
-  };
-  const fitted = r.poles.map((mark, i) => ({ look: "estimate", mark, label: i === 0 && LABELS.fitted }));
-  const true_ones = still.map((mark, i) => ({
-    look: "truth",
-    mark,
-    sign: "+",
-    label: i === 0 && LABELS.still,
-  }));
   return {
     xlim: [-reach, reach],
     ylim: [-reach, reach],
-    layers: [{ look: "quiet", paint: unitCircle }, ...fitted, ...true_ones],
+    layers: [
+      ...circle(),
+      ...marks(r.poles, "estimate", LABELS.fitted),
+      ...marks(still, "truth", LABELS.still, "+"),
+    ],
   };
 }
 
@@ -108,14 +100,6 @@ function outcome(r, s, t) {
   }
   sentences.push(t.say(OUTCOME.nis, { nis: r.nis }), t.say(r.data.note));
   return sentences.join(" ");
-}
-
-/** "0.9 ± 0.1 i", or both real ones. */
-function polesText([[real, imaginary], [other]], t) {
-  if (imaginary > 0) {
-    return `${t.decimal(real)} ± ${t.decimal(imaginary)} i`;
-  }
-  return `${t.decimal(real)} ; ${t.decimal(other)}`;
 }
 
 function facts(r, s, t) {
@@ -230,7 +214,7 @@ export const view = {
   compute,
   plots: [
     { ...SPEED, xlabel: "t (s)", height: 240, draw: drawSpeed },
-    { ...POLES, xlabel: "Re p", height: 230, half: true, after: true, equal: true, draw: drawPoles },
+    { ...POLES, xlabel: "Re λ", height: 230, half: true, after: true, equal: true, draw: drawPoles },
     {
       ...BIAS,
       xlabel: "σ (m/s)",

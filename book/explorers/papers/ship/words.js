@@ -54,7 +54,7 @@ export const FACTS = {
   fit: { id: "pencocokan", en: "fit" },
   average: { id: "rata-rata pada derau ini", en: "on average at this noise" },
   still: { id: "tanpa derau", en: "without noise" },
-  poles: { id: "kutub p", en: "poles p" },
+  poles: { id: "kutub λ", en: "poles λ" },
 };
 
 export const CONTROLS = {
@@ -94,7 +94,7 @@ export const SPEED = {
 };
 
 export const POLES = {
-  title: { id: "Kutub p", en: "Poles p" },
+  title: { id: "Kutub λ", en: "Poles λ" },
   alt: {
     id: "Kutub model di bidang kompleks dengan lingkaran satuan.",
     en: "The model's poles in the complex plane with the unit circle.",
@@ -102,7 +102,7 @@ export const POLES = {
 };
 
 export const BIAS = {
-  title: { id: "Bias: Re p", en: "Bias: Re p" },
+  title: { id: "Kutub terhadap derau: Re λ", en: "Poles over the noise: Re λ" },
   alt: {
     id:
       "Grafik bagian real kedua kutub terhadap derau: rata-rata menurut rumus " +
@@ -116,7 +116,94 @@ export const BIAS = {
 export const LABELS = {
   fitted: { id: "hasil pencocokan", en: "fitted" },
   still: { id: "tanpa derau", en: "without noise" },
+  with_noise: { id: "dengan derau", en: "with noise" },
   now: { id: "derau sekarang", en: "noise now" },
+  given: { id: "diketahui", en: "known" },
+  forecast: { id: "ramalan", en: "forecast" },
   formula: { id: "rumus", en: "formula" },
   fits: { id: "pencocokan", en: "fits" },
+};
+
+// --- poles by hand, and poles that noise moves -------------------------------------------------------------
+
+export const BY_HAND = {
+  name: {
+    id: "Kutub dengan tangan: dua kecepatan diteruskan",
+    en: "Poles by hand: two speeds are continued",
+  },
+  line_preset: { id: "Terus lurus", en: "Straight on" },
+  mean_preset: { id: "Rata-rata keduanya", en: "Mean of both" },
+  poles: { id: "Kutub: {poles}.", en: "Poles: {poles}." },
+  swing_in: {
+    id: "Jaraknya dari pusat {size}: ramalan berayun, satu putaran dalam {turn} langkah, dan meluruh.",
+    en: "They lie {size} from the centre: the forecast swings, one turn in {turn} steps, and decays.",
+  },
+  swing: {
+    id: "Keduanya pada lingkaran: ramalan berayun terus, satu putaran dalam {turn} langkah.",
+    en: "They lie on the circle: the forecast swings for ever, one turn in {turn} steps.",
+  },
+  swing_out: {
+    id: "Jaraknya dari pusat {size}: ramalan berayun makin besar, satu putaran dalam {turn} langkah.",
+    en: "They lie {size} from the centre: the forecast swings ever wider, one turn in {turn} steps.",
+  },
+  line: {
+    id: "Keduanya di 1: ramalan meneruskan garis lurus.",
+    en: "Both lie at 1: the forecast prolongs the straight line.",
+  },
+  stay: {
+    id: "Satu kutub di 1: ramalan menuju nilai yang tetap.",
+    en: "One pole lies at 1: the forecast settles at a constant value.",
+  },
+  flip: {
+    id: "Satu kutub di −1: ramalan bolak-balik terus.",
+    en: "One pole lies at −1: the forecast flips to and fro for ever.",
+  },
+  decay: {
+    id: "Kutub terjauh berjarak {size} dari pusat: ramalan meluruh ke nol.",
+    en: "The farthest pole lies {size} from the centre: the forecast decays to zero.",
+  },
+  grow: {
+    id: "Ada kutub di luar lingkaran: ramalan membesar tanpa batas.",
+    en: "A pole lies outside the circle: the forecast grows without limit.",
+  },
+  zigzag: {
+    id: "Bagian dari kutub negatif berganti tanda setiap langkah.",
+    en: "The part of the negative pole changes its sign at every step.",
+  },
+};
+
+export const HAND_POLES = {
+  title: { id: "Kutub λ", en: "Poles λ" },
+  alt: {
+    id: "Bidang kompleks dengan lingkaran satuan dan kedua kutub model.",
+    en: "The complex plane with the unit circle and both poles of the model.",
+  },
+};
+
+export const CONTINUED = {
+  title: { id: "Kecepatan (m/s)", en: "Speed (m/s)" },
+  alt: {
+    id: "Grafik ramalan: dua kecepatan diketahui, lalu nilai yang diteruskan model.",
+    en: "Plot of the forecast: two known speeds, then the values that the model continues with.",
+  },
+};
+
+export const MOVED = {
+  name: { id: "Derau memindahkan kutub", en: "Noise moves the poles" },
+  result: {
+    id: "Derau {sigma} m/s. Kuadrat terkecil: a₁ = {a1}, a₂ = {a2}, kutub {poles}.",
+    en: "Noise {sigma} m/s. Least squares: a₁ = {a1}, a₂ = {a2}, poles {poles}.",
+  },
+};
+
+export const FROM_TWO = {
+  title: { id: "Ramalan (m/s)", en: "Forecast (m/s)" },
+  alt: {
+    id:
+      "Grafik kecepatan saat kapal dipercepat: titik pengukuran sampai detik 8, " +
+      "lalu ramalan dua model dan nilai sebenarnya.",
+    en:
+      "Plot of the speed while the ship accelerates: measured dots up to second 8, " +
+      "then the forecasts of two models and the true value.",
+  },
 };

@@ -1,0 +1,38 @@
+// The complex plane with the unit circle, as all figures of this chapter show poles in it.
+
+const TICKS = [
+  ["1", [1, 0]],
+  ["−1", [-1, 0], "right"],
+  ["i", [0, 1.1]],
+];
+
+/** Circle and axes; where the figure has no numbers of its own, words: true writes 1, −1 and i. */
+export function circle(words = false) {
+  const lines = [
+    { look: "quiet", paint: paintCircle },
+    { look: "quiet", level: 0 },
+    { look: "quiet", at: 0 },
+  ];
+  const named = TICKS.map(([text, at, align]) => ({ look: "quiet", text, at, align }));
+  return words ? [...lines, ...named] : lines;
+}
+
+function paintCircle(ctx, X, Y) {
+  ctx.setLineDash([]);
+  ctx.beginPath();
+  ctx.arc(X(0), Y(0), X(1) - X(0), 0, 7);
+  ctx.stroke();
+}
+
+/** A mark for each pole; the label belongs to all of them. */
+export function marks(pair, look, label, sign) {
+  return pair.map((mark, i) => ({ look, mark, sign, label: i === 0 && label }));
+}
+
+/** "0.9 ± 0.1 i", or both real ones. */
+export function polesText([[real, imaginary], [other]], t) {
+  if (imaginary > 0) {
+    return `${t.decimal(real)} ± ${t.decimal(imaginary)} i`;
+  }
+  return `${t.decimal(real)} ; ${t.decimal(other)}`;
+}
