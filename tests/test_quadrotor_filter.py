@@ -41,7 +41,21 @@ def general(flight, result, how, i):
         P0=np.diag([result.R[0, i], P_s]),
         residual=quadrotor.wrapped_difference,
     )
-    return kalman_filter(model, result.z[1:, i], result.u[1:, i])
+    return kalman_filter(model, used(result, how, i, dt), result.u[1:, i])
+
+
+def used(result, how, i, dt):
+    """What the filter took for measurements: all, or at the end of every block the prediction plus
+    the mean innovation, computed here from the angles alone."""
+    z = result.z[1:, i]
+    if not how.kept:
+        return z
+    x_pred = result.angles[:-1, i] + dt * (result.u[1:, i] - result.s[:-1, i])
+    n = round(how.block / dt)
+    y = quadrotor.wrap(z - x_pred)
+    taken = np.full_like(z, np.nan)
+    taken[n - 1 :: n] = x_pred[n - 1 :: n] + y[: len(y) // n * n].reshape(-1, n).mean(axis=1)
+    return taken
 
 
 def rest(flight):

@@ -11,6 +11,7 @@ Angles in rad, rates in rad/s unless a name says otherwise.
     model.py        the paper's model; what each sensor says alone
     method.py       how the attitude filter can be set
     attitude.py     the attitude filter
+    blocks.py       what its adaptive method takes for one measurement
     sensors.py      a recording, checked; measured angles, their noise, when the craft is dynamic
     flight.py       synthetic flights
     route.py        where they lead, and noise that changes slowly

@@ -37,6 +37,9 @@ export function question(r, s, t, random) {
 function variancesAt({ result }, at) {
   const R = result.R[at] / DEG ** 2;
   const P = result.P[at] / DEG ** 2;
+  if (Number.isNaN(result.y[at])) {
+    return { P_pred: P, R }; // no update in this step
+  }
   const P_pred = P < R ? (P * R) / (R - P) : P; // P = P_pred R / (P_pred + R), turned round
   return { P_pred, R };
 }
