@@ -14,6 +14,7 @@ Angles in rad, rates in rad/s unless a name says otherwise.
     blocks.py       what its adaptive method takes for one measurement
     sensors.py      a recording, checked; measured angles, their noise, when the craft is dynamic
     flight.py       synthetic flights
+    hand.py         one axis alone, tilted and pushed by hand
     route.py        where they lead, and noise that changes slowly
     statistics.py   means and variances of angles, measures of error
 
@@ -23,6 +24,7 @@ The explorer's files of the same names (book/explorers/papers/quadrotor) do the 
 # `attitude` and `model` are functions here, as in every paper; their files have the same names.
 from .attitude import Attitude, attitude, estimate
 from .flight import Flight, body_rates, simulate, swing, to_body
+from .hand import hand_times, hold
 from .method import CORRECTIONS, METHODS, Method, process_noise
 from .model import (
     AXES,
@@ -67,7 +69,9 @@ __all__ = [
     "estimate",
     "euler_rates",
     "galat",
+    "hand_times",
     "heading",
+    "hold",
     "is_dynamic",
     "model",
     "printed_tilt",

@@ -4,7 +4,7 @@ import { craft, panel, size } from "./figures.js";
 import { compute } from "./flown.js";
 import { AXES, DEG, galat_of } from "./model.js";
 import { question } from "./questions.js";
-import { CONTROLS, CRAFT, FACTS, NAME, OUTCOME } from "./words.js";
+import { CONTROLS, CRAFT, FACTS, NAME, OUTCOME, SHOWN } from "./words.js";
 
 const STEEP = 75; // degrees: beyond, Euler angles fail
 const LONGEST = 126; // s, the synthetic flight
@@ -139,6 +139,13 @@ const controls = [
       ["adaptive", CONTROLS.adaptive],
       ["literal", CONTROLS.literal],
     ],
+  },
+  {
+    kind: "select",
+    name: "shown",
+    default: "pitch",
+    ...CONTROLS.shown,
+    options: [...AXES.map((axis) => [axis, SHOWN[axis]]), ["all", SHOWN.all]],
   },
   {
     kind: "file",
