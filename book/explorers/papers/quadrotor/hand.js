@@ -11,8 +11,8 @@ export const PUSHED = [13, 14]; // s
 export const HAND_STEP = 0.1; // s
 const P_START = 1; // deg2: level to within a degree
 
-/** {T, x, z, u (T)} in degrees and degrees a second; given {held, push, bias, sigma_gyr, sigma_acc, dt}. */
-export function hold(rng, { held, push, bias, sigma_gyr, sigma_acc, dt = HAND_STEP }) {
+/** {T, x, z, u (T)} in degrees and degrees a second, in steps of dt seconds. */
+export function hold(rng, { held, push, bias, sigma_gyr, sigma_acc }, dt = HAND_STEP) {
   const T = Math.round(SECONDS / dt);
   const [gyr_noise, y_noise, z_noise] = [0, 1, 2].map(() => Float64Array.from({ length: T }, rng.normal));
   const x = Float64Array.from({ length: T }, (_, k) => rollAt(dt * (k + 1), held));
@@ -42,7 +42,7 @@ function gentle(part) {
 }
 
 /** The smallest filter of the chapter: the state is the angle, the gyroscope moves it. */
-export function oneAngle({ sigma_gyr, R_acc, dt = HAND_STEP }) {
+export function oneAngle({ sigma_gyr, R_acc }, dt = HAND_STEP) {
   return linearModel({
     F: [[1]],
     B: [[dt]],

@@ -7,6 +7,7 @@ import { size } from "./figures.js";
 import { TILT, TILT_CONTROLS } from "./words.js";
 
 const ARM = 1; // length of the craft's arm, in its figure
+const EVERYWHERE = 1e4; // pixels: beyond the canvas
 const LARGEST = 45; // degrees that the reader can hold it at
 
 function compute(s, memo) {
@@ -45,15 +46,15 @@ function drawAngles({ t, x, z, gyro, estimate, k }) {
 /** A band over the second in which the craft is pushed. */
 function paintPush(ctx, X, Y, colours) {
   ctx.fillStyle = colours.band;
-  ctx.fillRect(X(PUSHED[0]), 0, X(PUSHED[1]) - X(PUSHED[0]), ctx.canvas.height);
+  ctx.fillRect(X(PUSHED[0]), 0, X(PUSHED[1]) - X(PUSHED[0]), EVERYWHERE);
 }
 
 /** The craft from behind, four times: as it is, and as gyroscope, accelerometer and filter see it. */
 function drawCraft({ x, z, gyro, estimate, k }, s) {
   const pushed = k * HAND_STEP + HAND_STEP >= PUSHED[0] && k * HAND_STEP + HAND_STEP < PUSHED[1];
   return {
-    xlim: [-2.4, 2.4],
-    ylim: [-1, 1],
+    xlim: [-1.6, 1.6],
+    ylim: [-0.85, 0.75],
     layers: [
       { look: "prediction", paint: paintArms(gyro[k]), label: TILT.gyro },
       { look: "measurement", paint: paintArms(z[k]), label: TILT.acc },
@@ -83,11 +84,11 @@ function paintArms(angle) {
 function paintArrow(side) {
   return (ctx, X, Y) => {
     paintLine(ctx, X, Y, [
-      [-0.4 * side, -0.75],
-      [0.4 * side, -0.75],
-      [0.25 * side, -0.65],
-      [0.4 * side, -0.75],
-      [0.25 * side, -0.85],
+      [-0.4 * side, -0.7],
+      [0.4 * side, -0.7],
+      [0.25 * side, -0.6],
+      [0.4 * side, -0.7],
+      [0.25 * side, -0.8],
     ]);
   };
 }
@@ -133,9 +134,8 @@ function numbers({ T, t: time, x, z, u, gyro, estimate, filter }, s, t) {
 const controls = [
   { name: "R_acc", symbol: "R", unit: "°²", log: true, min: 0.01, max: 1e4, step: 0.1, default: 100 },
   { name: "when", symbol: "t", unit: "s", min: 0.1, max: SECONDS, step: 0.1, default: 13.5 },
-  { name: "bias", symbol: "b" },
+  { name: "bias", symbol: "s" },
   { name: "push", symbol: "a", unit: "m/s²", min: -5, max: 5, step: 0.1, default: 3 },
-  { name: "sigma_acc", symbol: "" },
   { name: "held", symbol: "", unit: "°", min: -LARGEST, max: LARGEST, step: 1, default: 20 },
 ].map((control) => ({ ...control, ...TILT_CONTROLS[control.name] }));
 

@@ -81,8 +81,6 @@ function facts(r, s, t) {
       row(FACTS.rmse, (i) => rmse[i]),
       row(FACTS.galat_z, (i) => galat_of(truth[i], mean_z[i])),
       row(FACTS.galat, (i) => galat_of(truth[i], mean[i])),
-      row(FACTS.truth, (i) => truth[i] / DEG),
-      row(FACTS.mean, (i) => mean[i] / DEG),
     ],
   };
 }
@@ -112,6 +110,9 @@ function anglesAt(at, flight, { z, angles, P, R }) {
 // --- the view ----------------------------------------------------------------------------------------------
 
 const isAdaptive = (s) => METHODS[s.method].kept;
+
+/** Does it matter when the craft is dynamic? */
+const hasFactor = (s) => !isAdaptive(s) && s.m !== 1;
 
 /** A button that sets m. */
 function mButton(m) {
@@ -175,8 +176,8 @@ const controls = [
   },
   { name: "m", symbol: "m", disabled: isAdaptive },
   { name: "q", symbol: "q", disabled: isAdaptive },
-  { name: "window", symbol: "", disabled: isAdaptive },
-  { name: "threshold", symbol: "", disabled: isAdaptive },
+  { name: "window", symbol: "", visible: hasFactor },
+  { name: "threshold", symbol: "", visible: hasFactor },
   check("gyr"),
   check("acc"),
   check("mag"),

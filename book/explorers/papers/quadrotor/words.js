@@ -54,8 +54,6 @@ export const FACTS = {
   rmse: { id: "RMSE filter ini (°)", en: "RMSE of this filter (°)" },
   galat_z: { id: "galat makalah, sensor saja (%)", en: "the paper’s error, sensors alone (%)" },
   galat: { id: "galat makalah, filter ini (%)", en: "the paper’s error, this filter (%)" },
-  truth: { id: "rata-rata sudut sebenarnya (°)", en: "mean of the true angle (°)" },
-  mean: { id: "rata-rata filter ini (°)", en: "mean of this filter (°)" },
 };
 
 /** What the reader may have drawn. */
@@ -165,6 +163,5 @@ export const TILT_CONTROLS = {
   },
   when: { id: "saat yang digambar", en: "the moment that is drawn" },
   push: { id: "dorongan ke kiri", en: "push to the left" },
-  sigma_acc: { id: "getaran akselerometer", en: "trembling of the accelerometer" },
   held: { id: "dimiringkan sampai", en: "tilted as far as" },
 };
