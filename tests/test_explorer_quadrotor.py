@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from explorer_helpers import SCALE, close, listed, value_in
 
-from kalman_lib import kalman_filter, nis
+from kalman_lib import LinearModel, kalman_filter, nis
 from kalman_lib.papers import describe, quadrotor
 
 ATTITUDE = """text => {
@@ -170,6 +170,37 @@ def test_the_sensors_alone_say_what_they_say_in_python(bundle):
         quadrotor.wrap(angles),
     ])
     assert close(np.ravel(ours), theirs, theirs.shape[1]) is None
+
+
+def test_one_axis_in_the_hand_is_pythons(bundle):
+    """Without noise the same motion; then the same filter on Python's noisy one."""
+    calm = dict(held=25, push=-2, bias=0.7, sigma_gyr=0, sigma_acc=0)
+    theirs = quadrotor.hold(np.random.default_rng(0), **calm)
+    ours = bundle.evaluate(
+        """p => {
+      const { quadrotor } = KalmanExplorers.papers;
+      const held = quadrotor.hold(KalmanExplorers.random.generator(1), p);
+      return [held.x, held.z, held.u, quadrotor.addUp(held.u)].map(values => Array.from(values));
+    }""",
+        calm,
+    )
+    expected = (theirs.x, theirs.z, theirs.u, 0.1 * np.cumsum(theirs.u))
+    for values, same in zip(ours, expected):
+        assert close(values, np.ravel(same), 1, SCALE) is None
+    noisy = quadrotor.hold(np.random.default_rng(2))
+    model = LinearModel(
+        F=[[1]], B=[[0.1]], H=[[1]], Q=[[0.01]], R=[[8]], x0=[0], P0=[[1]]
+    )  # Q: 1 deg/s for 0.1 s
+    x, K = bundle.evaluate(
+        """([z, u]) => {
+      const { x, K } = KalmanExplorers.papers.quadrotor.filterHeld({ sigma_gyr: 1, R_acc: 8 },
+        { z: Float64Array.from(z), u: Float64Array.from(u) });
+      return [Array.from(x), Array.from(K)];
+    }""",
+        [noisy.z[:, 0].tolist(), noisy.u[:, 0].tolist()],
+    )
+    result = kalman_filter(model, noisy.z, noisy.u)
+    assert close(x, result.x[:, 0], 1) is None and close(K, result.K[:, 0, 0], 1) is None
 
 
 def test_the_flight_of_the_page_is_flown_as_pythons(bundle):
