@@ -57,10 +57,12 @@ function push(latest, value) {
   latest.count++;
 }
 
+/** Their mean, added up from the oldest to the newest, as Python does. */
 function meanOf({ values, count }) {
+  const used = Math.min(count, values.length);
   let sum = 0;
-  for (let j = 0; j < values.length; j++) {
-    sum += values[j]; // those that have not come are 0
+  for (let j = count - used; j < count; j++) {
+    sum += values[j % values.length];
   }
-  return sum / Math.min(count, values.length);
+  return sum / used;
 }
