@@ -72,14 +72,13 @@ function steepestPitch(angles) {
 }
 
 function facts(r, s, t) {
-  const { rmse, rmse_z, truth, mean, mean_z } = r.measures();
+  const { rmse, rmse_z, truth, mean } = r.measures();
   const row = (words, value) => [t.say(words), ...AXES.map((_, i) => size(value(i), t))];
   return {
     head: ["", ...AXES],
     rows: [
       row(FACTS.rmse_z, (i) => rmse_z[i]),
       row(FACTS.rmse, (i) => rmse[i]),
-      row(FACTS.galat_z, (i) => galat_of(truth[i], mean_z[i])),
       row(FACTS.galat, (i) => galat_of(truth[i], mean[i])),
     ],
   };

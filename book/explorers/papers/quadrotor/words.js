@@ -52,7 +52,6 @@ export const OUTCOME = {
 export const FACTS = {
   rmse_z: { id: "RMSE sensor saja (°)", en: "RMSE of the sensors alone (°)" },
   rmse: { id: "RMSE filter ini (°)", en: "RMSE of this filter (°)" },
-  galat_z: { id: "galat makalah, sensor saja (%)", en: "the paper’s error, sensors alone (%)" },
   galat: { id: "galat makalah, filter ini (%)", en: "the paper’s error, this filter (%)" },
 };
 
