@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from explorer_helpers import SCALE, close, listed, value_in
 
-from kalman_lib import LinearModel, kalman_filter, nis
+from kalman_lib import kalman_filter, nis
 from kalman_lib.papers import describe, quadrotor
 
 ATTITUDE = """text => {
@@ -189,9 +189,6 @@ def test_one_axis_in_the_hand_is_pythons(bundle):
     for values, same in zip(ours, expected):
         assert close(values, np.ravel(same), 1, SCALE) is None
     noisy = quadrotor.hold(np.random.default_rng(2))
-    model = LinearModel(
-        F=[[1]], B=[[0.1]], H=[[1]], Q=[[0.01]], R=[[8]], x0=[0], P0=[[1]]
-    )  # Q: 1 deg/s for 0.1 s
     x, K = bundle.evaluate(
         """([z, u]) => {
       const { x, K } = KalmanExplorers.papers.quadrotor.filterHeld({ sigma_gyr: 1, R_acc: 8 },
@@ -200,7 +197,7 @@ def test_one_axis_in_the_hand_is_pythons(bundle):
     }""",
         [noisy.z[:, 0].tolist(), noisy.u[:, 0].tolist()],
     )
-    result = kalman_filter(model, noisy.z, noisy.u)
+    result = kalman_filter(quadrotor.one_angle(R=8), noisy.z, noisy.u)
     assert close(x, result.x[:, 0], 1) is None and close(K, result.K[:, 0, 0], 1) is None
 
 

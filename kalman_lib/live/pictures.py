@@ -7,7 +7,6 @@ import numpy as np
 from .. import plots
 from ..fast import kalman_filter
 from ..filters import predict, update
-from ..models import LinearModel
 from ..papers import beetle, gyro, quadrotor, ship, smoother, theory
 
 SEED = 2  # of every synthetic measurement, as in book/explorers/element/settings.js
@@ -125,15 +124,13 @@ def quadrotor_tilt(p, rng):
     """One axis in the hand: gyroscope alone, accelerometer alone, filter."""
     held = quadrotor.hold(rng)
     t = quadrotor.hand_times()
-    dt = t[0]
-    model = LinearModel(F=[[1]], B=[[dt]], H=[[1]], Q=[[dt**2]], R=[[100]], x0=[0], P0=[[1]])
-    result = kalman_filter(model, held.z, held.u)
+    result = kalman_filter(quadrotor.one_angle(R=100), held.z, held.u)
     return plots.series(
         t,
         held.z[:, 0],
         result.x[:, 0],
         truth=held.x[:, 0],
-        rivals={r"$\sum u\,\Delta t$": dt * np.cumsum(held.u)},
+        rivals={r"$\sum u\,\Delta t$": t[0] * np.cumsum(held.u)},
         xlabel="$t$ (s)",
         ylabel=r"$\phi$ (°)",
     )

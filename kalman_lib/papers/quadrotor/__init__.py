@@ -24,7 +24,7 @@ The explorer's files of the same names (book/explorers/papers/quadrotor) do the 
 # `attitude` and `model` are functions here, as in every paper; their files have the same names.
 from .attitude import Attitude, attitude, estimate
 from .flight import Flight, body_rates, simulate, swing, to_body
-from .hand import hand_times, hold
+from .hand import hand_times, hold, one_angle
 from .method import CORRECTIONS, METHODS, Method, process_noise
 from .model import (
     AXES,
@@ -74,6 +74,7 @@ __all__ = [
     "hold",
     "is_dynamic",
     "model",
+    "one_angle",
     "printed_tilt",
     "process_noise",
     "rmse_deg",

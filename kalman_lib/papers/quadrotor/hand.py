@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ...models import LinearModel
 from ...simulate import Trajectory
 from .model import DEG, GRAVITY
 from .route import gentle
@@ -36,3 +37,10 @@ def hold(rng, held=20, push=3, bias=0.5, sigma_gyr=1, sigma_acc=1, dt=0.1):
 def hand_times(dt=0.1):
     """The times (N,) s of `hold`."""
     return dt * np.arange(1, round(SECONDS / dt) + 1)
+
+
+def one_angle(R, sigma_gyr=1, dt=0.1):
+    """The smallest filter of the chapter, in degrees: the state is the angle, which u moves."""
+    return LinearModel(
+        F=[[1]], B=[[dt]], H=[[1]], Q=[[(sigma_gyr * dt) ** 2]], R=[[R]], x0=[0], P0=[[1]]
+    )

@@ -42,7 +42,7 @@ function gentle(part) {
 }
 
 /** The smallest filter of the chapter: the state is the angle, the gyroscope moves it. */
-export function oneAngle({ sigma_gyr, R_acc }, dt = HAND_STEP) {
+export function one_angle({ sigma_gyr, R_acc }, dt = HAND_STEP) {
   return linearModel({
     F: [[1]],
     B: [[dt]],
@@ -55,7 +55,7 @@ export function oneAngle({ sigma_gyr, R_acc }, dt = HAND_STEP) {
 }
 
 export function filterHeld(p, { z, u }, memo) {
-  return kalmanFilter(oneAngle(p), z, u, memo);
+  return kalmanFilter(one_angle(p), z, u, memo);
 }
 
 /** The gyroscope alone: its rates added up. */
