@@ -30,8 +30,9 @@ VIEWS = {  # cell -> paper, view; a control that is a field of Params
     6: ("ship", None, "Q"),
     7: ("beetle", None, "R"),
     8: ("quadrotor", None, "m"),
+    9: ("quadrotor", "tilt", "bias"),
 }
-SCRATCH = 9  # a cell for whatever a test wants to know from Python
+SCRATCH = 10  # a cell for whatever a test wants to know from Python
 CODE = [f"e{k} = explore({paper!r}, view={view!r})" for k, (paper, view, _) in VIEWS.items()]
 PROSE = {"id": ("lang-id", "Halo."), "en": ("lang-en", "Hello.")}
 

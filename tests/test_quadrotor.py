@@ -52,17 +52,26 @@ def test_euler_rates_agree_with_scipys_small_rotation_and_with_their_inverse():
         assert np.allclose(quadrotor.body_rates(rates[np.newaxis], angles[np.newaxis]), gyr)
 
 
-def test_the_printed_formulas_are_wrong_by_these_angles():
-    """Equation (2), the roll, is 1.25 degrees off at roll = pitch = 20; equation (1), the pitch,
-    1.1 degrees at pitch 20."""
+def printed_at(roll, pitch):
+    """Roll and pitch, degrees, by equations (2) and (1), of a sensor at rest."""
+    acc = body_to_ned(degrees([roll, pitch, 0])).inv().apply([[0, 0, -GRAVITY]])
+    return np.degrees(quadrotor.printed_tilt(acc)[0])
 
-    def error(roll, pitch):
-        acc = body_to_ned(degrees([roll, pitch, 0])).inv().apply([[0, 0, -GRAVITY]])
-        return np.degrees(quadrotor.printed_tilt(acc)[0]) - [roll, pitch]
 
-    assert abs(error(20, 20)[0] + 1.25) < 0.005
-    assert abs(error(0, 20)[1] + 1.1) < 0.05
-    assert np.allclose(error(20, 0), 0)
+@pytest.mark.parametrize(("roll", "pitch"), [(20, 0), (0, 20), (20, 20), (-35, 40), (60, -50)])
+def test_equation_2_is_the_angle_of_the_y_axis_to_the_ground(roll, pitch):
+    """That is how the paper defines roll; at 20 and 20 degrees it is 18.747, not the Euler 20."""
+    y_axis = body_to_ned(degrees([roll, pitch, 0])).apply([0, 1, 0])  # in NED: down is positive
+    expected = np.degrees(np.arcsin(y_axis[2]))
+    assert np.isclose(printed_at(roll, pitch)[0], expected)
+    assert abs(printed_at(20, 20)[0] - 18.747) < 0.0005
+
+
+def test_the_misprint_of_equation_1_costs_a_degree_at_20():
+    """Its root must hold ay: the pitch is the angle of the X axis to the ground."""
+    assert abs(printed_at(0, 20)[1] - 18.9) < 0.05
+    x_axis = body_to_ned(degrees([20, 20, 0])).apply([1, 0, 0])
+    assert np.isclose(np.degrees(np.arcsin(-x_axis[2])), 20)
 
 
 def test_an_angle_across_180_degrees_is_a_small_innovation():
@@ -94,7 +103,7 @@ def test_the_model_is_the_papers():
         F[2 * axis, 2 * axis : 2 * axis + 2] = (
             1,
             0.1,
-        )  # equation (14) without its stray "1" and "10"
+        )  # equation (14), as it is meant
         H[axis, 2 * axis] = 1  # equation (21)
     assert np.allclose(m.F, F) and np.allclose(m.H, H)
     assert np.allclose(

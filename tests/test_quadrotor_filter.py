@@ -11,6 +11,7 @@ from kalman_lib import kalman_filter
 from kalman_lib.models import LinearModel
 from kalman_lib.papers import quadrotor
 from kalman_lib.papers.quadrotor import DEG, GRAVITY, METHODS, Params
+from kalman_lib.papers.quadrotor.blocks import Block
 
 
 @pytest.fixture(scope="module")
@@ -41,7 +42,21 @@ def general(flight, result, how, i):
         P0=np.diag([result.R[0, i], P_s]),
         residual=quadrotor.wrapped_difference,
     )
-    return kalman_filter(model, result.z[1:, i], result.u[1:, i])
+    return kalman_filter(model, used(result, how, i, dt), result.u[1:, i])
+
+
+def used(result, how, i, dt):
+    """What the filter took for measurements: all, or at the end of every block the prediction plus
+    the mean innovation, computed here from the angles alone."""
+    z = result.z[1:, i]
+    if not how.kept:
+        return z
+    x_pred = result.angles[:-1, i] + dt * (result.u[1:, i] - result.s[:-1, i])
+    n = round(how.block / dt)
+    y = quadrotor.wrap(z - x_pred)
+    taken = np.full_like(z, np.nan)
+    taken[n - 1 :: n] = x_pred[n - 1 :: n] + y[: len(y) // n * n].reshape(-1, n).mean(axis=1)
+    return taken
 
 
 def rest(flight):
@@ -188,6 +203,36 @@ def test_the_fast_motion_is_fast_and_its_sensors_fit():
 def test_the_error_of_the_flight_stays_below_what_the_book_demands(flight, method):
     error = quadrotor.rmse_deg(flight.truth, quadrotor.estimate(*flight.sensors, method))
     assert (error <= np.array(LIMITS[method]["flight"].split(), dtype=float)).all(), error
+
+
+def test_the_adaptive_method_knows_how_large_its_errors_are():
+    """NIS and NEES of roll and pitch, mean of six flights, between a half and two."""
+    found = [consistency(seed) for seed in range(6)]
+    assert ((0.5 < np.mean(found, axis=0)) & (np.mean(found, axis=0) < 2)).all(), found
+
+
+def consistency(seed):
+    """Mean NIS and NEES (2, 2) of roll and pitch."""
+    flight = quadrotor.simulate(Params(), np.random.default_rng(seed))
+    result = quadrotor.attitude(*flight.sensors, METHODS["adaptive"])
+    e, P, y, R = (
+        part[1:, :2] for part in (flight.truth - result.angles, result.P, result.y, result.R)
+    )
+    K = P / R  # where there is an update
+    return [np.nanmean(y**2 / (R / (1 - K)), axis=0), (e**2 / P).mean(axis=0)]
+
+
+def test_a_block_tells_what_trembles_from_what_lasts():
+    """White noise counts an n-th, a constant error in full."""
+    how, rng = METHODS["adaptive"], np.random.default_rng(0)
+    for white, constant, expected in ((1, 0, 1 / 50 + 0.1), (0.1, 2, 0.01 / 50 + 4)):
+        block = Block(how, dt=0.02)
+        for y in constant + white * rng.normal(size=99):
+            if block.is_full_with(y):
+                block.start_again(moved=0)
+        assert block.is_full_with(constant)
+        mean, R = block.witness(P00=0, R=1e-3)
+        assert np.isclose(R, expected, rtol=0.25) and abs(mean - constant) < 4 * white / 50**0.5
 
 
 def test_the_flight_flies_the_papers_route(flight):

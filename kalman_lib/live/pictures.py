@@ -160,6 +160,22 @@ def quadrotor_flight(p, rng):
     return plots.panels(rows, xlabel="$t$ (s)", height=1.5)
 
 
+def quadrotor_tilt(p, rng):
+    """One axis in the hand: gyroscope alone, accelerometer alone, filter."""
+    held = quadrotor.hold(rng)
+    t = quadrotor.hand_times()
+    result = kalman_filter(quadrotor.one_angle(R=100), held.z, held.u)
+    return plots.series(
+        t,
+        held.z[:, 0],
+        result.x[:, 0],
+        truth=held.x[:, 0],
+        rivals={r"$\sum u\,\Delta t$": t[0] * np.cumsum(held.u)},
+        xlabel="$t$ (s)",
+        ylabel=r"$\phi$ (°)",
+    )
+
+
 PICTURES = {
     ("theory", "steps"): theory_steps,
     ("theory", "bells"): theory_bells,
@@ -172,4 +188,5 @@ PICTURES = {
     ("ship", "noise"): ship_noise,
     ("beetle", "walk"): beetle_walk,
     ("quadrotor", "flight"): quadrotor_flight,
+    ("quadrotor", "tilt"): quadrotor_tilt,
 }

@@ -11,8 +11,10 @@ Angles in rad, rates in rad/s unless a name says otherwise.
     model.py        the paper's model; what each sensor says alone
     method.py       how the attitude filter can be set
     attitude.py     the attitude filter
+    blocks.py       what its adaptive method takes for one measurement
     sensors.py      a recording, checked; measured angles, their noise, when the craft is dynamic
     flight.py       synthetic flights
+    hand.py         one axis alone, tilted and pushed by hand
     route.py        where they lead, and noise that changes slowly
     statistics.py   means and variances of angles, measures of error
 
@@ -22,6 +24,7 @@ The explorer's files of the same names (book/explorers/papers/quadrotor) do the 
 # `attitude` and `model` are functions here, as in every paper; their files have the same names.
 from .attitude import Attitude, attitude, estimate
 from .flight import Flight, body_rates, simulate, swing, to_body
+from .hand import hand_times, hold, one_angle
 from .method import CORRECTIONS, METHODS, Method, process_noise
 from .model import (
     AXES,
@@ -66,9 +69,12 @@ __all__ = [
     "estimate",
     "euler_rates",
     "galat",
+    "hand_times",
     "heading",
+    "hold",
     "is_dynamic",
     "model",
+    "one_angle",
     "printed_tilt",
     "process_noise",
     "rmse_deg",

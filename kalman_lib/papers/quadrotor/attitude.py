@@ -6,16 +6,15 @@ are the elements of its P.
 
 import math
 import warnings
-from collections import deque
 from dataclasses import dataclass
 
 import numpy as np
 
+from .blocks import Block
 from .method import METHODS, process_noise
 from .model import AXES, euler_rates, heading_of, wrap
 from .sensors import check_recording, measured, measurement_noise
 
-RECENT = 0.5  # s: so long the adaptive method looks back
 STEEP = 75  # degrees: beyond, Euler angles fail
 
 
@@ -27,7 +26,7 @@ class Attitude:
     z       measured angles, rad
     u       rates that moved the angles, rad/s
     s       error of the gyroscope's rate, rad/s
-    y       innovations, rad
+    y       innovations, rad; where the bias is kept, the mean of a block at its end, NaN within it
     P, R    variances of the angles and of their measurements, rad^2
     """
 
@@ -128,8 +127,7 @@ class _Filters:
         self.s = [0.0] * 3
         self.P = [(R_i, 0.0, P_s) for R_i in R]
         self.Q = {h: process_noise(how, h) for h in set(dt)}
-        length = max(1, round(RECENT / np.median(dt)))
-        self.squares = [deque(maxlen=length) for _ in AXES]  # the latest y^2
+        self.blocks = [Block(how, np.median(dt)) for _ in AXES]
         self.wraps = "wrapping" not in how.without
         self.turns_rates = "Euler rates" not in how.without
         self.looks_ahead = "midpoint" not in how.without
@@ -156,34 +154,34 @@ class _Filters:
         self.P = [_predicted(P, Q, h, keep) for P in self.P]
 
     def update(self, z, is_known, R):
-        """Blend each angle with its measurement, unless that sensor is silent -> innovations y and
-        R (3)."""
+        """Blend each angle with its measurement, unless that sensor is silent or its block is not
+        full -> innovations y and R (3)."""
         y, R = [math.nan] * 3, list(R)
         for i in range(3):
             if not is_known[i]:
                 continue
             difference = z[i] - self.x[i]
-            y[i] = wrap(difference) if self.wraps else difference
-            P00, P01, P11 = self.P[i]
-            if self.how.kept and AXES[i] != "yaw":
-                R[i] = self._adapted_noise(i, y[i], R[i])
-            S = P00 + R[i]
-            K0, K1 = P00 / S, P01 / S
-            self.x[i] += K0 * y[i]
-            self.s[i] += K1 * y[i]
-            self.P[i] = K0 * R[i], K1 * R[i], P11 - K1 * P01
+            y_i = wrap(difference) if self.wraps else difference
+            if not self.how.kept:
+                y[i] = y_i
+                self._blend(i, y_i, R[i])
+            elif self.blocks[i].is_full_with(y_i):
+                y[i], R[i] = self.blocks[i].witness(self.P[i][0], R[i])
+                self.blocks[i].start_again(moved=self._blend(i, y[i], R[i]))
         if self.wraps:
             self.x[0] = wrap(self.x[0])
             self.x[2] = wrap(self.x[2])
         return y, R
 
-    def _adapted_noise(self, i, y, R):
-        """R by the last innovations: what they have more than P_pred says, times a gain."""
-        recent = self.squares[i]
-        recent.append(y * y)
-        P00 = self.P[i][0]
-        excess = sum(recent) / len(recent) - P00
-        return self.how.gain * min(max(excess, R), self.how.largest * R)
+    def _blend(self, i, y, R):
+        """The update of one axis -> by how much its angle moved."""
+        P00, P01, P11 = self.P[i]
+        S = P00 + R
+        K0, K1 = P00 / S, P01 / S
+        self.x[i] += K0 * y
+        self.s[i] += K1 * y
+        self.P[i] = K0 * R, K1 * R, P11 - K1 * P01
+        return K0 * y
 
 
 def _predicted(P, Q, h, keep):

@@ -17,6 +17,7 @@ CORRECTIONS = (
     "rest variance",
 )
 VARIANCE_3_DEG = (3 * DEG) ** 2
+VARIANCE_7_DEG = (7 * DEG) ** 2
 VARIANCE_15_DEG = (15 * DEG) ** 2
 
 
@@ -38,8 +39,9 @@ class Method:
               the variance of the angles over the whole recording
     m, window, threshold    the paper's rule: where the variance of the magnetometer over the window
               (s) exceeds the threshold times its variance at rest, R becomes m R
-    gain, largest    the better rule, used where the bias is kept: R of roll and pitch is gain times
-              the mean of y^2 over 0.5 s minus P_pred, that difference kept between R and largest R
+    block, lasting, largest    the better rule, used where the bias is kept, see Block: innovations
+              of one block (s) count once, by their mean; its R is what the last two blocks show,
+              the lasting part of it at least so large a share, all of it at most largest R
     q_bias    strength of the noise that moves the bias, rad^2/s^3
 
     q and m may be arrays of one shape (cells,): then `attitude` runs all cells at once.
@@ -52,7 +54,8 @@ class Method:
     m: float = 1.0
     window: float = 1.0
     threshold: float = 4.0
-    gain: float = 30.0
+    block: float = 1.0
+    lasting: float = 0.1
     largest: float = 1e4
     q_bias: float = 1e-9
 
@@ -65,7 +68,7 @@ METHODS = {
         without=("formulas", "Euler rates", "wrapping", "estimated tilt", "rest variance"),
     ),
     "paper": Method(q=30 * DEG**2),
-    "adaptive": Method(q=(0.1 * DEG) ** 2, kept=True, R_min=(0, 0, VARIANCE_15_DEG)),
+    "adaptive": Method(q=(0.1 * DEG) ** 2, kept=True, R_min=(0, 0, VARIANCE_7_DEG)),
 }
 
 

@@ -11,7 +11,7 @@ AXES = ("roll", "pitch", "yaw")
 PI = math.pi
 DEG = math.pi / 180  # rad
 GRAVITY = 9.81  # m/s2
-FIELD = np.array([38.13, 0.54, -23.79])  # uT, NED: the earth's field in Yogyakarta, 2022 (IGRF-13)
+FIELD = np.array([38.13, 0, -23.79])  # uT, Yogyakarta, 2022 (IGRF-13); x is magnetic north
 STEEPEST = 85 * DEG
 
 

@@ -1,11 +1,11 @@
 // The attitude filter: for each axis a small Kalman filter with state [angle, s], s the error of the
 // gyroscope's rate u; x is the angle, and P00, P01, P11 are the elements of its P.
+import { isFullWith, startAgain, startBlock, witness } from "./blocks.js";
 import { DEG, euler_rates, heading, wrap } from "./model.js";
 import { is_dynamic, measured } from "./sensors.js";
-import { mean, median_step, spread, totalVariance, whole } from "./statistics.js";
+import { mean, median_step, spread, totalVariance } from "./statistics.js";
 
 const R_LEAST = 1e-12; // rad2
-const RECENT = 0.5; // s: so long the adaptive method looks back
 const R_LARGEST = 1e4; // times that at rest
 const SERIES = ["angles", "z", "u", "s", "y", "P", "R"];
 
@@ -16,7 +16,8 @@ const METHOD = {
   m: 1, // R is m times as large while the craft is dynamic
   window: 1, // s
   threshold: 4,
-  gain: 30,
+  block: 1, // s
+  lasting: 0.1,
   largest: R_LARGEST,
   q_bias: 1e-9,
 };
@@ -31,7 +32,7 @@ export const METHODS = {
     without: ["formulas", "Euler rates", "wrapping", "estimated tilt", "rest variance"],
   },
   paper: { ...METHOD, q: 30 * DEG ** 2 },
-  adaptive: { ...METHOD, q: (0.1 * DEG) ** 2, kept: true, R_min: [0, 0, (15 * DEG) ** 2] },
+  adaptive: { ...METHOD, q: (0.1 * DEG) ** 2, kept: true, R_min: [0, 0, (7 * DEG) ** 2] },
 };
 
 /**
@@ -112,7 +113,6 @@ function startFilter({ gyr, rest_s }, how, memo) {
   const R_rest = memo.spread.map((variance, i) => Math.max(variance, how.R_min[i], R_LEAST));
   const P_s = how.kept ? totalVariance(gyr, rest) / 3 / rest_s : 0;
   const factor = memo.dynamic[0] ? how.m : 1;
-  const length = Math.max(1, whole(RECENT / memo.step));
   return {
     how,
     x: Float64Array.from(memo.start),
@@ -124,7 +124,7 @@ function startFilter({ gyr, rest_s }, how, memo) {
     P11: new Float64Array(3).fill(P_s),
     R_rest,
     gyr_at_rest: [0, 1, 2].map((i) => (isMissing("rest mean") ? 0 : mean(gyr, i, rest))),
-    recent: [0, 1].map(() => ({ squares: new Float64Array(length), count: 0 })), // y^2 of roll and pitch
+    blocks: [0, 1, 2].map(() => startBlock(how, memo.step)),
     turns_rates: !isMissing("Euler rates"),
     looks_ahead: !isMissing("midpoint"),
     wraps: !isMissing("wrapping"),
@@ -175,40 +175,35 @@ function predictAngles({ how, x, s, u, P00, P01, P11 }, dt) {
  * Blend axis i with its measured angle; at: its place in the series. factor: m, while the craft is dynamic.
  */
 function updateAngle(f, series, i, at, factor) {
-  const { x, s, P00, P01, P11 } = f;
   let R = factor * f.R_rest[i];
   if (!Number.isNaN(series.given[at])) {
-    const difference = series.z[at] - x[i];
+    const difference = series.z[at] - f.x[i];
     const y = f.wraps ? wrap(difference) : difference;
-    if (f.how.kept && i < 2) {
-      R = adaptedNoise(f, i, y, R, factor);
+    if (!f.how.kept) {
+      series.y[at] = y;
+      blend(f, i, y, R);
+    } else if (isFullWith(f.blocks[i], y)) {
+      const told = witness(f.blocks[i], f.P00[i], R);
+      R = told.R;
+      series.y[at] = told.y;
+      startAgain(f.blocks[i], blend(f, i, told.y, R));
     }
-    const S = P00[i] + R;
-    const K0 = P00[i] / S;
-    const K1 = P01[i] / S;
-    x[i] += K0 * y;
-    s[i] += K1 * y;
-    P00[i] = K0 * R;
-    P11[i] -= K1 * P01[i];
-    P01[i] = K1 * R;
-    series.y[at] = y;
   }
   series.R[at] = R;
-  series.P[at] = P00[i];
+  series.P[at] = f.P00[i];
 }
 
-/** R of roll or pitch by the last innovations: what they have more than P_pred says, times a gain. */
-function adaptedNoise({ how, P00, R_rest, recent }, i, y, R, factor) {
-  const { squares } = recent[i];
-  squares[recent[i].count % squares.length] = y * y;
-  recent[i].count++;
-  let sum = 0;
-  for (let j = 0; j < squares.length; j++) {
-    sum += squares[j]; // those that have not come are 0
-  }
-  const mean_square = sum / Math.min(recent[i].count, squares.length);
-  const most = factor * how.largest * R_rest[i];
-  return how.gain * Math.min(Math.max(mean_square - P00[i], R), most);
+/** The update of one axis: by how much its angle moved. */
+function blend({ x, s, P00, P01, P11 }, i, y, R) {
+  const S = P00[i] + R;
+  const K0 = P00[i] / S;
+  const K1 = P01[i] / S;
+  x[i] += K0 * y;
+  s[i] += K1 * y;
+  P00[i] = K0 * R;
+  P11[i] -= K1 * P01[i];
+  P01[i] = K1 * R;
+  return K0 * y;
 }
 
 // --- what is kept of it ------------------------------------------------------------------------------------

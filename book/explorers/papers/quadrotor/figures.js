@@ -15,14 +15,14 @@ export function size(value, t) {
 
 // --- angles against time -----------------------------------------------------------------------------------
 
-/** Angle i against time; the stretches where the filter uses m R are shaded. */
+/** Angle i against time, if it is chosen; the stretches where the filter uses m R are shaded. */
 export function panel(i) {
-  const named = (label) => (i === 0 ? label : ""); // the first panel has the legend for all
   return {
     title: PANEL_TITLES[i],
     xlabel: "t (s)",
-    height: 150,
+    height: 210,
     half: true,
+    visible: (s) => s.shown === AXES[i] || s.shown === "all",
     alt: inBoth(PANEL_ALT, { axis: AXES[i] }),
     drag: (time) => ({ moment: time }),
     draw({ lines, result, flight, how, k }) {
@@ -31,12 +31,10 @@ export function panel(i) {
       return {
         xlim: [0, flight.t[flight.T - 1]],
         layers: [
-          how.kept
-            ? null
-            : { look: "band", paint: paintDynamic(flight.t, result.dynamic), label: named("m R") },
-          { look: "measurement", x: t, y: z, label: named("z") },
-          { look: "estimate", x: t, y: x, label: named("x") },
-          flight.reference && { look: "truth", x: t, y: truth, label: named(TRUTH[flight.reference]) },
+          how.kept ? null : { look: "band", paint: paintDynamic(flight.t, result.dynamic), label: "m R" },
+          { look: "measurement", x: t, y: z, label: "z" },
+          { look: "estimate", x: t, y: x, label: "x" },
+          flight.reference && { look: "truth", x: t, y: truth, label: TRUTH[flight.reference] },
           { look: "quiet", at: flight.t[k] },
         ],
       };

@@ -8,7 +8,7 @@ import { linearModel } from "../../numerics/models.js";
 export const AXES = ["roll", "pitch", "yaw"];
 export const DEG = Math.PI / 180; // rad
 export const GRAVITY = 9.81; // m/s2
-export const FIELD = [38.13, 0.54, -23.79]; // uT: the earth's field in Yogyakarta, 2022
+export const FIELD = [38.13, 0, -23.79]; // uT: the earth's field in Yogyakarta, 2022; x is magnetic north
 export const REST = 6; // s before take-off
 const STEEPEST = 85 * DEG;
 

@@ -37,6 +37,9 @@ export function question(r, s, t, random) {
 function variancesAt({ result }, at) {
   const R = result.R[at] / DEG ** 2;
   const P = result.P[at] / DEG ** 2;
+  if (Number.isNaN(result.y[at])) {
+    return { P_pred: P, R }; // no update in this step
+  }
   const P_pred = P < R ? (P * R) / (R - P) : P; // P = P_pred R / (P_pred + R), turned round
   return { P_pred, R };
 }
@@ -154,6 +157,45 @@ function aboutTilt({ pitch, ax, az }) {
         };
       }
       return { id: "pitch = arctan(a_x / √(a_y² + a_z²)).", en: "pitch = arctan(a_x / √(a_y² + a_z²))." };
+    },
+  };
+}
+
+// --- of the first explorer: one axis -----------------------------------------------------------------------
+
+/** One update by hand, with whole numbers near those of the figure. */
+export function gainQuestion(r, s, t, random) {
+  const predicted = between(-5, 20, random); // degrees
+  const z = predicted + between(2, 20, random);
+  const K = FEW_GAINS[random.whole(FEW_GAINS.length)];
+  const given = { predicted: String(predicted), z: String(z), K: t.decimal(K) };
+  return ask(aboutUpdate({ predicted, z, K }), given, t);
+}
+
+const FEW_GAINS = [0.03, 0.1, 0.25];
+
+function aboutUpdate({ predicted, z, K }) {
+  return {
+    text: {
+      id:
+        "Giroskop memprediksi {predicted}°, akselerometer menunjukkan {z}°, dan K = {K}. " +
+        "Berapa estimasi sudutnya, dalam derajat?",
+      en:
+        "The gyroscope predicts {predicted}°, the accelerometer shows {z}°, and K = {K}. " +
+        "What is the estimated angle, in degrees?",
+    },
+    answer: predicted + K * (z - predicted),
+    hint(value) {
+      if (isNear(value, K * (z - predicted), NEAR)) {
+        return {
+          id: "Itu koreksinya; tambahkan ke prediksi.",
+          en: "That is the correction; add it to the prediction.",
+        };
+      }
+      if (isNear(value, z - K * (z - predicted), NEAR)) {
+        return { id: "Mulailah dari prediksi, bukan dari z.", en: "Start from the prediction, not from z." };
+      }
+      return { id: "x = x_pred + K (z − x_pred).", en: "x = x_pred + K (z − x_pred)." };
     },
   };
 }

@@ -4,7 +4,7 @@ import { craft, panel, size } from "./figures.js";
 import { compute } from "./flown.js";
 import { AXES, DEG, galat_of } from "./model.js";
 import { question } from "./questions.js";
-import { CONTROLS, CRAFT, FACTS, NAME, OUTCOME } from "./words.js";
+import { CONTROLS, CRAFT, FACTS, NAME, OUTCOME, SHOWN } from "./words.js";
 
 const STEEP = 75; // degrees: beyond, Euler angles fail
 const LONGEST = 126; // s, the synthetic flight
@@ -72,17 +72,14 @@ function steepestPitch(angles) {
 }
 
 function facts(r, s, t) {
-  const { rmse, rmse_z, truth, mean, mean_z } = r.measures();
+  const { rmse, rmse_z, truth, mean } = r.measures();
   const row = (words, value) => [t.say(words), ...AXES.map((_, i) => size(value(i), t))];
   return {
     head: ["", ...AXES],
     rows: [
       row(FACTS.rmse_z, (i) => rmse_z[i]),
       row(FACTS.rmse, (i) => rmse[i]),
-      row(FACTS.galat_z, (i) => galat_of(truth[i], mean_z[i])),
       row(FACTS.galat, (i) => galat_of(truth[i], mean[i])),
-      row(FACTS.truth, (i) => truth[i] / DEG),
-      row(FACTS.mean, (i) => mean[i] / DEG),
     ],
   };
 }
@@ -113,6 +110,9 @@ function anglesAt(at, flight, { z, angles, P, R }) {
 
 const isAdaptive = (s) => METHODS[s.method].kept;
 
+/** Does it matter when the craft is dynamic? */
+const hasFactor = (s) => !isAdaptive(s) && s.m !== 1;
+
 /** A button that sets m. */
 function mButton(m) {
   return {
@@ -139,6 +139,13 @@ const controls = [
       ["adaptive", CONTROLS.adaptive],
       ["literal", CONTROLS.literal],
     ],
+  },
+  {
+    kind: "select",
+    name: "shown",
+    default: "pitch",
+    ...CONTROLS.shown,
+    options: [...AXES.map((axis) => [axis, SHOWN[axis]]), ["all", SHOWN.all]],
   },
   {
     kind: "file",
@@ -168,8 +175,8 @@ const controls = [
   },
   { name: "m", symbol: "m", disabled: isAdaptive },
   { name: "q", symbol: "q", disabled: isAdaptive },
-  { name: "window", symbol: "", disabled: isAdaptive },
-  { name: "threshold", symbol: "", disabled: isAdaptive },
+  { name: "window", symbol: "", visible: hasFactor },
+  { name: "threshold", symbol: "", visible: hasFactor },
   check("gyr"),
   check("acc"),
   check("mag"),

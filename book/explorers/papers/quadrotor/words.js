@@ -52,13 +52,19 @@ export const OUTCOME = {
 export const FACTS = {
   rmse_z: { id: "RMSE sensor saja (°)", en: "RMSE of the sensors alone (°)" },
   rmse: { id: "RMSE filter ini (°)", en: "RMSE of this filter (°)" },
-  galat_z: { id: "galat makalah, sensor saja (%)", en: "the paper’s error, sensors alone (%)" },
   galat: { id: "galat makalah, filter ini (%)", en: "the paper’s error, this filter (%)" },
-  truth: { id: "rata-rata sudut sebenarnya (°)", en: "mean of the true angle (°)" },
-  mean: { id: "rata-rata filter ini (°)", en: "mean of this filter (°)" },
+};
+
+/** What the reader may have drawn. */
+export const SHOWN = {
+  roll: { id: "roll (guling)", en: "roll" },
+  pitch: { id: "pitch (angguk)", en: "pitch" },
+  yaw: { id: "yaw (geleng)", en: "yaw" },
+  all: { id: "ketiganya", en: "all three" },
 };
 
 export const CONTROLS = {
+  shown: { id: "Sudut", en: "Angle" },
   method: { id: "Cara", en: "Method" },
   paper: { id: "makalah, dibetulkan", en: "the paper, corrected" },
   adaptive: { id: "adaptif", en: "adaptive" },
@@ -105,3 +111,56 @@ export const CRAFT = {
 
 /** North, east, south, west. */
 export const COMPASS = { id: "UTSB", en: "NESW" };
+
+// --- the first explorer: one axis in the hand --------------------------------------------------------------
+
+export const TILT = {
+  name: { id: "Quadrotor di tangan, satu sumbu", en: "The quadrotor in the hand, one axis" },
+  gyro: { id: "giroskop saja", en: "gyroscope alone" },
+  acc: { id: "akselerometer saja", en: "accelerometer alone" },
+  filter: { id: "filter", en: "filter, x" },
+  craft: {
+    title: { id: "Dari belakang", en: "From behind" },
+    alt: {
+      id:
+        "Quadrotor dari belakang pada satu saat: yang sebenarnya tipis, dan tiga bayangan menurut " +
+        "giroskop, akselerometer, dan filter.",
+      en:
+        "The quadrotor from behind at one moment: the true one thin, and three ghosts by the " +
+        "gyroscope, the accelerometer and the filter.",
+    },
+  },
+  angles: {
+    title: { id: "Roll (derajat)", en: "Roll (degrees)" },
+    alt: {
+      id:
+        "Roll selama 20 detik: yang sebenarnya, giroskop saja, akselerometer saja, dan filter; " +
+        "pita menandai detik ketika wahana didorong.",
+      en:
+        "Roll over 20 seconds: the true one, the gyroscope alone, the accelerometer alone and the " +
+        "filter; a band marks the second in which the craft is pushed.",
+    },
+  },
+  all: {
+    id: "RMSE selama 20 s: giroskop saja {gyro}°, akselerometer saja {z}°, filter {filter}°.",
+    en: "RMSE over 20 s: gyroscope alone {gyro}°, accelerometer alone {z}°, filter {filter}°.",
+  },
+  now: {
+    id: "Pada t = {when} s roll sebenarnya {x}°; giroskop {gyro}°, akselerometer {z}°, filter {filter}°.",
+    en: "At t = {when} s the true roll is {x}°; gyroscope {gyro}°, accelerometer {z}°, filter {filter}°.",
+  },
+  gain: {
+    id: "Dengan R = {R} penguatan K menetap di {K}. Gerak ini sintetis.",
+    en: "With R = {R} the gain K settles at {K}. The motion is synthetic.",
+  },
+};
+
+export const TILT_CONTROLS = {
+  R_acc: {
+    id: "varians akselerometer menurut filter",
+    en: "variance of the accelerometer, as the filter believes",
+  },
+  when: { id: "saat yang digambar", en: "the moment that is drawn" },
+  push: { id: "dorongan ke kiri", en: "push to the left" },
+  held: { id: "dimiringkan sampai", en: "tilted as far as" },
+};
