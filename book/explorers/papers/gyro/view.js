@@ -88,7 +88,7 @@ function drawConsistency(r) {
     layers: [
       { look: "band", x: ends, low: [low, low], high: [high, high], label: LABELS.chi_square },
       { look: "estimate", x: r.t, y: nees, label: "NEES" },
-      { look: "prediction", x: r.t, y: nis, label: "NIS" },
+      { look: "rival", x: r.t, y: nis, label: "NIS" },
     ],
   };
 }
