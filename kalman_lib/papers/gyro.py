@@ -109,11 +109,11 @@ def ranks(largest):
 
 
 def table(own, largest):
-    """For each printed maximum ours, the 95 % interval of all runs, the rank, and a mark.
+    """For each printed maximum (a): ours (b), the 95 % interval of the runs, the rank (p), a mark.
 
     own: {figure: (2,)}, largest: {figure: (2, runs)}.
     """
-    lines = [f"{'printed':>11}{'ours':>6}{'95 %':>10}{'rank':>9}"]
+    lines = [f"{'a':>11}{'b':>7}{'95 %':>10}{'p':>9}"]
     for figure, rank in ranks(largest).items():
         rows = zip("zx", PRINTED[figure].split(), own[figure], largest[figure], rank)
         for letter, printed, ours, sample, r in rows:
