@@ -202,7 +202,7 @@ function aboutRatio({ ratio, q }) {
 
 // --- about a gyroscope at rest -----------------------------------------------------------------------------
 
-const AFTER = [10, 40, 90]; // s
+const AFTER = [5, 10, 20, 30, 40, 50, 90, 120]; // s
 const DRIFT_T = 0.1; // s
 
 export function driftQuestion(r, s, t, random) {
