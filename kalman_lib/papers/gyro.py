@@ -108,6 +108,15 @@ def ranks(largest):
     return shares
 
 
+def beside_printed(largest):
+    """{"4 $z$": (largest errors of all runs, the printed one), ...}, for plots.intervals."""
+    rows = {}
+    for figure, runs in largest.items():
+        for letter, sample, printed in zip("zx", runs, PRINTED[figure].split()):
+            rows[f"{figure} ${letter}$"] = sample, float(printed)
+    return rows
+
+
 def table(own, largest):
     """For each printed maximum (a): ours (b), the 95 % interval of the runs, the rank (p), a mark.
 

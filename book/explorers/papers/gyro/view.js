@@ -3,18 +3,7 @@ import { chi2Bounds, rmse } from "../../numerics/metrics.js";
 import { CASES, error_with_gain, maxima, steady } from "./model.js";
 import { question } from "./questions.js";
 import { compute, manyRuns, spread, study } from "./runs.js";
-import {
-  ANGLE,
-  CONSISTENCY,
-  CONTROLS,
-  DEVIATION,
-  ERROR,
-  FACTS,
-  GAIN,
-  LABELS,
-  NAMES,
-  OUTCOME,
-} from "./words.js";
+import { ANGLE, CONSISTENCY, CONTROLS, ERROR, FACTS, GAIN, LABELS, NAMES, OUTCOME } from "./words.js";
 
 const DEGREE = Math.PI / 180; // rad
 const TABLE_ROWS = 500;
@@ -62,18 +51,6 @@ function drawGain(r) {
       { look: "quiet", level: 0 },
       { look: "quiet", level: steady_K, label: LABELS.steady },
       { look: "estimate", x: r.t, y: r.filter.K, label: "K" },
-    ],
-  };
-}
-
-function drawDeviation(r) {
-  const actual = spread(r).spread.map((value) => value / 2);
-  return {
-    xlim: timeSpan(r),
-    layers: [
-      { look: "quiet", level: 0 },
-      { look: "estimate", x: r.t, y: r.root, label: "√P" },
-      { look: "rival", x: r.t, y: actual, label: LABELS.of_runs },
     ],
   };
 }
@@ -223,8 +200,7 @@ export const flight = {
   plots: [
     { ...ANGLE, xlabel: "t (s)", height: 200, draw: drawAngle },
     { ...ERROR, xlabel: "t (s)", height: 200, draw: drawError },
-    { ...GAIN, xlabel: "t (s)", height: 150, half: true, after: true, draw: drawGain },
-    { ...DEVIATION, xlabel: "t (s)", height: 150, half: true, after: true, draw: drawDeviation },
+    { ...GAIN, xlabel: "t (s)", height: 150, after: true, draw: drawGain },
     { ...CONSISTENCY, xlabel: "t (s)", height: 170, after: true, ylog: true, draw: drawConsistency },
   ],
   outcome,

@@ -105,14 +105,6 @@ export const GAIN = {
   },
 };
 
-export const DEVIATION = {
-  title: "√P (rad)",
-  alt: {
-    id: "Grafik simpangan baku menurut filter, dan dari banyak percobaan, terhadap waktu.",
-    en: "Plot of the standard deviation as the filter states it, and of many runs, against time.",
-  },
-};
-
 export const CONSISTENCY = {
   title: { id: "Konsistensi", en: "Consistency" },
   alt: {
@@ -123,7 +115,6 @@ export const CONSISTENCY = {
 
 export const LABELS = {
   steady: { id: "tunak", en: "steady" },
-  of_runs: { id: "dari percobaan", en: "of the runs" },
   chi_square: { id: "95 % khi-kuadrat", en: "95 % chi-square" },
   alone: { id: "giroskop saja", en: "gyroscope alone" },
   others: { id: "11 giroskop lain", en: "11 other gyroscopes" },
@@ -131,7 +122,7 @@ export const LABELS = {
   belief: { id: "yang dipercayai filter", en: "what the filter believes" },
 };
 
-// --- a gyroscope at rest ------------------------------------------------------------------------------------
+// --- a gyroscope at rest -----------------------------------------------------------------------------------
 
 export const DRIFT = {
   title: { id: "Sudut (°)", en: "Angle (°)" },
