@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from explorer_helpers import RELATIVE, explorer_of, set_state, shown
 
+from kalman_lib import kalman_filter
 from kalman_lib.papers import gyro
 
 
@@ -41,4 +42,24 @@ def test_gyro_the_map_of_a_wrong_sigma_is_pythons(changes, site, opened):
         )[0]
     ]
     assert said == [pytest.approx(expected, rel=0.03) for expected in wrong]
+    element.evaluate("e => e.explorer.reset()")
+
+
+def test_gyro_a_phone_at_rest_drifts_as_python_says_until_the_sensor_holds_it(site, opened):
+    """The fan is 2 sigma_w sqrt(T t); with the sensor, estimate and band are the filter's."""
+    page, *_ = explorer_of("gyro", site, opened, "en")
+    element = page.locator("kalman-explorer[view=drift]")
+    p = gyro.Params(duration=60, T=0.1, sigma_w=0.5, sigma_v=2)
+    read = """e => { const { z, alone, fan, band, x } = e.explorer.r;
+      return [z, alone, fan, band, x].map(values => [...values]); }"""
+    set_state(element, noise_w=0.5, noise_v=2)
+    z, alone, fan, band, x = np.array(element.evaluate(read))
+    assert np.allclose(fan, 2 * p.sigma_w * np.sqrt(p.T * gyro.times(p)), rtol=RELATIVE)
+    assert np.array_equal(band, fan) and np.array_equal(x, alone)
+    set_state(element, sensor=True)
+    _, _, same, band, x = np.array(element.evaluate(read))
+    u = np.diff(alone, prepend=0) / p.T
+    result = kalman_filter(gyro.model(p), z, u)
+    assert np.array_equal(same, fan) and np.allclose(x, result.x[:, 0], atol=1e-9)
+    assert np.allclose(band, 2 * np.sqrt(result.P[:, 0, 0]), rtol=RELATIVE)
     element.evaluate("e => e.explorer.reset()")

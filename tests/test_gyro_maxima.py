@@ -70,3 +70,11 @@ def test_the_table_marks_inside_outside_and_between(largest):
     assert [line.split()[-1] for line in lines[1:]] == ["✓"] * 4 + ["(✓)"] + ["✓"] * 3
     sample = {7: np.array([np.linspace(10, 20, 100), np.linspace(0, 1, 100)])}
     assert gyro.table(own, sample).splitlines()[1].endswith("✗")
+
+
+def test_every_printed_maximum_stands_beside_its_runs(largest):
+    rows = gyro.beside_printed(largest)
+    printed = [value for values in PAPER.values() for value in values[2:]]
+    assert list(rows)[:3] == ["4 $z$", "4 $x$", "5 $z$"] and len(rows) == 8
+    assert [value for _, value in rows.values()] == printed
+    assert np.array_equal(rows["6 $x$"][0], largest[6][1])

@@ -82,6 +82,17 @@ def gyro_flight(p, rng):
     return plots.panels(gyro.layout(p, flight, result), xlabel="$t$ (s)", height=1.9)
 
 
+def gyro_drift(p, rng):
+    """A gyroscope at rest, its rate added up over a minute, in degrees (noise 1 °/s)."""
+    p = replace(p, duration=60, T=0.1, sigma_w=1)
+    t = gyro.times(p)
+    walk = gyro.drift(p, rng, runs=1)[:, 0]
+    figure = plots.series(t, x=walk, truth=0 * t, xlabel="$t$ (s)", ylabel="°")
+    fan = 2 * p.sigma_w * np.sqrt(p.T * t)
+    figure.axes[0].fill_between(t, -fan, fan, **plots.BAND)
+    return figure
+
+
 def gyro_mismatch(p, rng):
     """RMSE of every pair of sigmas that the filter may believe, over that of the true ones."""
     times = 10**BELIEVED
@@ -182,6 +193,7 @@ PICTURES = {
     ("smoother", "form"): smoother_form,
     ("smoother", "online"): smoother_online,
     ("gyro", "flight"): gyro_flight,
+    ("gyro", "drift"): gyro_drift,
     ("gyro", "mismatch"): gyro_mismatch,
     ("ship", "run"): ship_run,
     ("ship", "poles"): ship_poles,

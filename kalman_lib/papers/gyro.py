@@ -108,12 +108,21 @@ def ranks(largest):
     return shares
 
 
+def beside_printed(largest):
+    """{"4 $z$": (largest errors of all runs, the printed one), ...}, for plots.intervals."""
+    rows = {}
+    for figure, runs in largest.items():
+        for letter, sample, printed in zip("zx", runs, PRINTED[figure].split()):
+            rows[f"{figure} ${letter}$"] = sample, float(printed)
+    return rows
+
+
 def table(own, largest):
-    """For each printed maximum ours, the 95 % interval of all runs, the rank, and a mark.
+    """For each printed maximum (a): ours (b), the 95 % interval of the runs, the rank (p), a mark.
 
     own: {figure: (2,)}, largest: {figure: (2, runs)}.
     """
-    lines = [f"{'printed':>11}{'ours':>6}{'95 %':>10}{'rank':>9}"]
+    lines = [f"{'a':>11}{'b':>7}{'95 %':>10}{'p':>9}"]
     for figure, rank in ranks(largest).items():
         rows = zip("zx", PRINTED[figure].split(), own[figure], largest[figure], rank)
         for letter, printed, ours, sample, r in rows:

@@ -64,12 +64,12 @@ function passed(value, levels) {
 // --- drawing -----------------------------------------------------------------------------------------------
 
 /** A map in steps, each with its number: how dark a cell is tells between which levels its value lies. */
-function mapPlot(words, name, paths) {
+function mapPlot(words, name, paths, where) {
   return {
     ...words,
+    ...where,
     xlabel: "rad/s",
-    height: 260,
-    half: true,
+    height: 220,
     xlog: true,
     ylog: true,
     drag: (x, y, s) => ({ times_w: inRange(x / s.sigma_w), times_v: inRange(y / s.sigma_v) }),
@@ -242,7 +242,10 @@ export const mismatch = {
   ],
   compute: compare,
   refine: manyRuns,
-  plots: [mapPlot(COST_MAP, "cost", acrossValley), mapPlot(NEES_MAP, "nees", alongDiagonal)],
+  plots: [
+    mapPlot(COST_MAP, "cost", acrossValley, {}),
+    mapPlot(NEES_MAP, "nees", alongDiagonal, { after: true }),
+  ],
   outcome,
   numbers,
   question: mapQuestion,

@@ -199,3 +199,50 @@ function aboutRatio({ ratio, q }) {
     },
   };
 }
+
+// --- about a gyroscope at rest -----------------------------------------------------------------------------
+
+const AFTER = [5, 10, 20, 30, 40, 50, 90, 120]; // s
+const DRIFT_T = 0.1; // s
+
+export function driftQuestion(r, s, t, random) {
+  const after = AFTER[random.whole(AFTER.length)];
+  const w = s.noise_w;
+  const given = { w: t.decimal(w), t: String(after), T: t.decimal(DRIFT_T), k: String(after / DRIFT_T) };
+  const drifted = {
+    text: {
+      id:
+        "Giroskop saja, σ_w = {w} °/s, T = {T} s. Berapa simpangan baku sudutnya (°) setelah {t} s? " +
+        "Pada awalnya sudut itu diketahui.",
+      en:
+        "The gyroscope alone, σ_w = {w} °/s, T = {T} s. What is the standard deviation of its angle (°) " +
+        "after {t} s? At first the angle is known.",
+    },
+    answer: w * Math.sqrt(DRIFT_T * after),
+    tolerance: 0.02,
+    hint: (value) => driftHint(value, w, after),
+  };
+  return ask(drifted, given, t);
+}
+
+function driftHint(value, w, after) {
+  if (isNear(value, w * after, NEAR)) {
+    return {
+      id: "Itu simpangan bakunya yang dijumlahkan. Yang dijumlahkan adalah variansnya.",
+      en: "That adds the standard deviations. It is the variances that add up.",
+    };
+  }
+  if (isNear(value, w * Math.sqrt(after), NEAR)) {
+    return {
+      id: "Periksa banyaknya langkah: dalam {t} s ada {k} langkah, masing-masing σ_w T.",
+      en: "Check the number of steps: {t} s are {k} steps, each of σ_w T.",
+    };
+  }
+  if (isNear(value, w * w * DRIFT_T * after, NEAR)) {
+    return { id: "Itu variansnya. Tinggal akarnya.", en: "That is the variance. Take its root." };
+  }
+  return {
+    id: "Varians satu langkah (σ_w T)². Kalikan dengan {k} langkah, lalu ambil akarnya.",
+    en: "One step has the variance (σ_w T)². Multiply by {k} steps, then take the root.",
+  };
+}

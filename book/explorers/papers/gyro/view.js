@@ -3,18 +3,7 @@ import { chi2Bounds, rmse } from "../../numerics/metrics.js";
 import { CASES, error_with_gain, maxima, steady } from "./model.js";
 import { question } from "./questions.js";
 import { compute, manyRuns, spread, study } from "./runs.js";
-import {
-  ANGLE,
-  CONSISTENCY,
-  CONTROLS,
-  DEVIATION,
-  ERROR,
-  FACTS,
-  GAIN,
-  LABELS,
-  NAMES,
-  OUTCOME,
-} from "./words.js";
+import { ANGLE, CONSISTENCY, CONTROLS, ERROR, FACTS, GAIN, LABELS, NAMES, OUTCOME } from "./words.js";
 
 const DEGREE = Math.PI / 180; // rad
 const TABLE_ROWS = 500;
@@ -66,18 +55,6 @@ function drawGain(r) {
   };
 }
 
-function drawDeviation(r) {
-  const actual = spread(r).spread.map((value) => value / 2);
-  return {
-    xlim: timeSpan(r),
-    layers: [
-      { look: "quiet", level: 0 },
-      { look: "estimate", x: r.t, y: r.root, label: "√P" },
-      { look: "rival", x: r.t, y: actual, label: LABELS.of_runs },
-    ],
-  };
-}
-
 function drawConsistency(r) {
   const { nees, nis } = spread(r);
   const [low, high] = chi2Bounds(1, r.runs.count);
@@ -88,7 +65,7 @@ function drawConsistency(r) {
     layers: [
       { look: "band", x: ends, low: [low, low], high: [high, high], label: LABELS.chi_square },
       { look: "estimate", x: r.t, y: nees, label: "NEES" },
-      { look: "prediction", x: r.t, y: nis, label: "NIS" },
+      { look: "rival", x: r.t, y: nis, label: "NIS" },
     ],
   };
 }
@@ -223,8 +200,7 @@ export const flight = {
   plots: [
     { ...ANGLE, xlabel: "t (s)", height: 200, draw: drawAngle },
     { ...ERROR, xlabel: "t (s)", height: 200, draw: drawError },
-    { ...GAIN, xlabel: "t (s)", height: 150, half: true, after: true, draw: drawGain },
-    { ...DEVIATION, xlabel: "t (s)", height: 150, half: true, after: true, draw: drawDeviation },
+    { ...GAIN, xlabel: "t (s)", height: 150, after: true, draw: drawGain },
     { ...CONSISTENCY, xlabel: "t (s)", height: 170, after: true, ylog: true, draw: drawConsistency },
   ],
   outcome,

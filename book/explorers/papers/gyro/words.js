@@ -1,8 +1,9 @@
-// What both explorers of chapter 3 say.
+// What the three explorers of chapter 3 say.
 
 export const NAMES = {
   flight: { id: "Simulasi giroskop", en: "The gyroscope simulation" },
   mismatch: { id: "Harga σ yang salah", en: "What a wrong σ costs" },
+  drift: { id: "Giroskop yang diam di meja", en: "A gyroscope that lies on a table" },
 };
 
 export const OUTCOME = {
@@ -104,14 +105,6 @@ export const GAIN = {
   },
 };
 
-export const DEVIATION = {
-  title: "√P (rad)",
-  alt: {
-    id: "Grafik simpangan baku menurut filter, dan dari banyak percobaan, terhadap waktu.",
-    en: "Plot of the standard deviation as the filter states it, and of many runs, against time.",
-  },
-};
-
 export const CONSISTENCY = {
   title: { id: "Konsistensi", en: "Consistency" },
   alt: {
@@ -122,10 +115,44 @@ export const CONSISTENCY = {
 
 export const LABELS = {
   steady: { id: "tunak", en: "steady" },
-  of_runs: { id: "dari percobaan", en: "of the runs" },
   chi_square: { id: "95 % khi-kuadrat", en: "95 % chi-square" },
+  alone: { id: "giroskop saja", en: "gyroscope alone" },
+  others: { id: "11 giroskop lain", en: "11 other gyroscopes" },
   truth: { id: "yang benar", en: "the truth" },
   belief: { id: "yang dipercayai filter", en: "what the filter believes" },
+};
+
+// --- a gyroscope at rest -----------------------------------------------------------------------------------
+
+export const DRIFT = {
+  title: { id: "Sudut (°)", en: "Angle (°)" },
+  alt: {
+    id:
+      "Grafik sudut selama satu menit dengan kipas ±2σ. Tanpa sensor sudut kipasnya melebar; " +
+      "dengan sensor sudut pitanya tetap sempit di sekitar nol.",
+    en:
+      "Plot of the angle over one minute with its fan of ±2σ. Without the angle sensor it widens; " +
+      "with it, the band stays narrow around zero.",
+  },
+  sensor: { id: "nyalakan sensor sudut", en: "switch the angle sensor on" },
+  noise_w: { id: "simpangan baku derau giroskop", en: "standard deviation of the gyroscope's noise" },
+  noise_v: { id: "simpangan baku sensor sudut", en: "standard deviation of the angle sensor" },
+  alone: {
+    id:
+      "Giroskop saja: setelah 60 s sudutnya {x}°, padahal sebenarnya 0°. " +
+      "Kipasnya sudah mencapai ±{fan}° dan terus melebar.",
+    en:
+      "The gyroscope alone: after 60 s it says {x}°, but the true angle is 0°. " +
+      "The fan has reached ±{fan}° and keeps widening.",
+  },
+  together: {
+    id:
+      "Bersama sensor sudut: setelah 60 s filter menunjukkan {x}° ± {band}°. " +
+      "Giroskop saja ±{fan}°, sensor saja ±{sensor}°. Penguatannya K = {K}.",
+    en:
+      "With the angle sensor: after 60 s the filter says {x}° ± {band}°. " +
+      "The gyroscope alone ±{fan}°, the sensor alone ±{sensor}°. The gain is K = {K}.",
+  },
 };
 
 // --- the map of a wrong sigma ------------------------------------------------------------------------------
