@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..filters import kalman_filter
 from ..models import LinearModel, NonlinearModel
 from ..simulate import simulate as simulate_model
 from . import check, param
@@ -146,6 +147,29 @@ def linear_model(p):
         x0=[p.d0, mean],
         P0=np.diag([p.sigma_d**2, square - mean**2]),
     )
+
+
+def exact_posterior(p, z):
+    """Mean (2,) and covariance (2, 2) of theta and v after the distances z (T,), not linearised.
+
+    The record tells s with some variance, and nothing else of theta and v. For a given theta the
+    rest is linear in v; theta itself runs over a grid. Q_theta = Q_v = 0.
+    """
+    nothing_known = np.diag([p.sigma_d**2, 1e6])  # of s
+    line = kalman_filter(replace(linear_model(p), P0=nothing_known), z)
+    s, R_s = line.x[-1, 1], line.P[-1, 1, 1]
+    theta = np.linspace(p.theta0 - 7 * p.sigma_theta, p.theta0 + 7 * p.sigma_theta, 20_001)
+    c = np.cos(theta)
+    S = c**2 * p.sigma_v**2 + R_s
+    K = c * p.sigma_v**2 / S
+    y = s - p.v0 * c
+    v = p.v0 + K * y
+    log_weight = -(((theta - p.theta0) / p.sigma_theta) ** 2 + y**2 / S + np.log(S)) / 2
+    weight = np.exp(log_weight - log_weight.max())
+    points = np.array([theta, v])
+    covariance = np.cov(points, aweights=weight, bias=True)
+    covariance[1, 1] += np.average(p.sigma_v**2 * (1 - K * c), weights=weight)
+    return np.average(points, axis=1, weights=weight), covariance
 
 
 def bearing_model(p):
