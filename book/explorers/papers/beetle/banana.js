@@ -13,7 +13,10 @@ export const AWAY = 2; // cm/s, what the distance shows of every one of these be
 const MOST = 0.9; // rad, the largest direction
 const PLANE = { xlim: [-1.05, 1.05], ylim: [1.2, 3.9] }; // rad, cm/s
 const ABOVE = { xlim: [-56, 56], ylim: [-5, 57] }; // cm
+const PALE = 0.45; // opacity
+const FAINT = 0.15;
 const RECORD_AT = -51; // cm, where the record stands beside the picture
+const TYPICAL = 3; // with this noise the view starts with a record as most are
 const ANYTHING = 1e6; // cm^2/s^2, the variance of s for who knows nothing
 
 const speedAt = (theta) => AWAY / Math.cos(theta); // cm/s
@@ -43,7 +46,7 @@ function compute(s, memo) {
 
 /** The record: the noise depends on the seed alone, whatever the direction is. */
 function recordOf(s, T, v) {
-  const rng = generator(s.seed);
+  const rng = generator(s.seed + TYPICAL);
   const noise = Float64Array.from({ length: 2 * T }, () => rng.normal());
   const t = Float64Array.from({ length: T }, (_, k) => (k + 1) * s.dt);
   const true_d = t.map((time) => s.d0 + time * AWAY);
@@ -130,24 +133,29 @@ function paintSight({ along, distance }) {
 }
 
 function drawPlane(r, s) {
-  const [low, high] = s.bearing ? seenDirections(r) : PLANE.xlim;
-  const theta = Float64Array.from({ length: 81 }, (_, i) => low + (i * (high - low)) / 80);
   return {
     ...PLANE,
     layers: [
-      { look: "measurement", label: BANANA.fits, paint: paintBanana(theta, r.fits) },
-      { look: "estimate", ellipse: { x: [r.filter.theta, r.filter.v], P: r.filter.P }, label: BANANA.filter },
+      {
+        look: "measurement",
+        label: BANANA.fits,
+        paint: paintBanana(PLANE.xlim, r.fits, s.bearing ? FAINT : PALE),
+      },
+      s.bearing && { look: "measurement", paint: paintBanana(seenDirections(r), r.fits, PALE) },
       { look: "truth", mark: [s.theta, r.v], label: LABELS.beetle },
+      { look: "estimate", ellipse: { x: [r.filter.theta, r.filter.v], P: r.filter.P }, label: BANANA.filter },
     ],
   };
 }
 
+/** With the second sensor only a piece of the banana is left. */
 function seenDirections({ filter }) {
   return [filter.theta - 2 * filter.sigma[1], filter.theta + 2 * filter.sigma[1]];
 }
 
 /** Every direction and speed whose v cos(theta) agrees with the record (two standard deviations). */
-function paintBanana(theta, { s, sigma }) {
+function paintBanana([low, high], { s, sigma }, alpha) {
+  const theta = Float64Array.from({ length: 81 }, (_, i) => low + (i * (high - low)) / 80);
   return (ctx, X, Y) => {
     ctx.beginPath();
     for (const angle of theta) {
@@ -156,7 +164,7 @@ function paintBanana(theta, { s, sigma }) {
     for (const angle of theta.slice().reverse()) {
       ctx.lineTo(X(angle), Y((s - 2 * sigma) / Math.cos(angle)));
     }
-    ctx.globalAlpha = 0.45;
+    ctx.globalAlpha = alpha;
     ctx.fill();
     ctx.globalAlpha = 1;
   };
