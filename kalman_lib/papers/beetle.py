@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..filters import kalman_filter
 from ..models import LinearModel, NonlinearModel
 from ..simulate import simulate as simulate_model
 from . import check, param
@@ -155,9 +154,7 @@ def exact_posterior(p, z):
     The record tells s with some variance, and nothing else of theta and v. For a given theta the
     rest is linear in v; theta itself runs over a grid. Q_theta = Q_v = 0.
     """
-    nothing_known = np.diag([p.sigma_d**2, 1e6])  # of s
-    line = kalman_filter(replace(linear_model(p), P0=nothing_known), z)
-    s, R_s = line.x[-1, 1], line.P[-1, 1, 1]
+    s, R_s = _slope(p, np.ravel(z))
     theta = np.linspace(p.theta0 - 7 * p.sigma_theta, p.theta0 + 7 * p.sigma_theta, 20_001)
     c = np.cos(theta)
     S = c**2 * p.sigma_v**2 + R_s
@@ -170,6 +167,14 @@ def exact_posterior(p, z):
     covariance = np.cov(points, aweights=weight, bias=True)
     covariance[1, 1] += np.average(p.sigma_v**2 * (1 - K * c), weights=weight)
     return np.average(points, axis=1, weights=weight), covariance
+
+
+def _slope(p, z):
+    """s and its variance from the distances z (T,) alone: weighted least squares, d0 uncertain."""
+    t = p.dt * np.arange(1, len(z) + 1)
+    common = p.sigma_d**2 / (p.R + len(z) * p.sigma_d**2)  # what all of z share
+    weight = (t - common * t.sum()) / p.R
+    return weight @ (z - p.d0) / (weight @ t), 1 / (weight @ t)
 
 
 def bearing_model(p):

@@ -7,7 +7,7 @@ import { bearing_model, model } from "./model.js";
 import { questionOfOthers } from "./questions.js";
 import { SECONDS } from "./walk.js";
 import { paintBeetle, paintSink } from "./scene.js";
-import { BANANA, FACTS, LABELS } from "./words.js";
+import { BANANA, LABELS } from "./words.js";
 
 export const AWAY = 2; // cm/s, what the distance shows of every one of these beetles
 const MOST = 0.9; // rad, the largest direction
@@ -186,19 +186,6 @@ function outcome(r, s, t) {
   ].join(" ");
 }
 
-function facts(r, s, t) {
-  const row = (name, truth, x, sigma) => [name, ...[truth, x, 2 * sigma].map((value) => t.decimal(value))];
-  const { filter, fits } = r;
-  return {
-    head: [t.say(FACTS.after, { t: SECONDS }), t.say(FACTS.truth), t.say(FACTS.filter), "±2σ"],
-    rows: [
-      row("θ (rad)", s.theta, filter.theta, filter.sigma[1]),
-      row("v (cm/s)", r.v, filter.v, filter.sigma[2]),
-      row(t.say(BANANA.of_record), AWAY, fits.s, fits.sigma),
-    ],
-  };
-}
-
 function numbers(r, s, t) {
   const columns = [
     ["t (s)", r.t],
@@ -245,7 +232,6 @@ export const banana = {
     },
   ],
   outcome,
-  facts,
   numbers,
   question: (r, s, t, random) => questionOfOthers(AWAY, t, random),
 };

@@ -140,7 +140,6 @@ export const BANANA = {
   record: { id: "rekaman z", en: "record z" },
   fits: { id: "cocok dengan rekaman", en: "fits the record" },
   filter: { id: "filter ± 2σ", en: "filter ± 2σ" },
-  of_record: { id: "v cos θ, dari rekaman", en: "v cos θ, from the record" },
   bearing: {
     id: "sensor kedua: sudut pandang dari tepi wastafel",
     en: "a second sensor: the bearing from the edge of the sink",
