@@ -216,7 +216,7 @@ export const banana = {
     {
       ...BANANA.above,
       xlabel: "l (cm)",
-      height: 180,
+      height: 170,
       equal: true,
       half: true,
       draw: drawAbove,
@@ -225,7 +225,7 @@ export const banana = {
     {
       ...BANANA.plane,
       xlabel: "θ (rad)",
-      height: 180,
+      height: 170,
       half: true,
       draw: drawPlane,
       drag: (theta) => ({ theta: rounded(inRange(theta)) }),
