@@ -181,6 +181,37 @@ def test_left_and_right_look_the_same():
     assert left.x == pytest.approx(right.x * [1, -1, 1], rel=1e-12)
 
 
+def by_bayes(p, z):
+    """Mean and covariance of theta and v from prior times likelihood, at every point of a grid."""
+    theta = np.linspace(p.theta0 - 3, p.theta0 + 3, 1500)[:, np.newaxis]
+    v = np.linspace(p.v0 - 2, p.v0 + 2, 1500)
+    t = p.dt * np.arange(1, len(z) + 1)
+    precision = np.linalg.inv(p.R * np.eye(len(z)) + p.sigma_d**2)  # of z - d0 - s t
+    s = v * np.cos(theta)
+    misfit = s**2 * (t @ precision @ t) - 2 * s * (t @ precision @ (z[:, 0] - p.d0))
+    prior = ((theta - p.theta0) / p.sigma_theta) ** 2 + ((v - p.v0) / p.sigma_v) ** 2
+    weight = np.exp(-(misfit - misfit.min() + prior) / 2).ravel()
+    points = np.array([np.broadcast_to(part, s.shape).ravel() for part in (theta, v)])
+    return np.average(points, axis=1, weights=weight), np.cov(points, aweights=weight, bias=True)
+
+
+@pytest.mark.parametrize("theta0", [0.3, 0.64, 1.4])
+def test_the_exact_posterior_is_prior_times_likelihood(theta0):
+    p = beetle.Params(theta0=theta0, sigma_theta=0.5, R=2, R_true=2)
+    z = beetle.simulate(p, np.random.default_rng(5)).z
+    for ours, theirs in zip(beetle.exact_posterior(p, z), by_bayes(p, z)):
+        assert ours == pytest.approx(theirs, rel=1e-4, abs=1e-4)
+
+
+def test_a_bent_banana_may_leave_less_than_1_and_the_EKF_still_claims_too_much():
+    p = beetle.Params(theta0=1.4, sigma_theta=0.5)
+    z = beetle.simulate(p, np.random.default_rng(5)).z
+    model, exact = beetle.model(p), np.zeros((3, 3))
+    exact[1:, 1:] = beetle.exact_posterior(p, z)[1]
+    claimed = beetle.least_known(kalman_filter(model, z).P[-1], model.P0)
+    assert claimed + 0.1 < beetle.least_known(exact, model.P0) == pytest.approx(0.90, abs=0.005)
+
+
 # --- the linear filter, the second order, the bearing -------------------------------------------
 
 

@@ -156,6 +156,21 @@ def beetle_walk(p, rng):
     )
 
 
+def beetle_banana(p, rng):
+    """All directions and speeds that fit one record, and the filter's ellipse."""
+    v = 2 / np.cos(p.theta)
+    walk = beetle.simulate(replace(p, v=v), rng, 20)
+    result = kalman_filter(beetle.model(p), walk.z)
+    theta = np.linspace(-0.9, 0.9, 100)
+    return plots.plane(
+        {"$x$": (result.x[-1, 1:], result.P[-1, 1:, 1:], plots.ESTIMATE)},
+        {r"$v\cos\theta = s$": (theta, 2 / np.cos(theta))},
+        {r"$x_{\mathrm{true}}$": (p.theta, v)},
+        r"$\theta$ (rad)",
+        "$v$ (cm/s)",
+    )
+
+
 def quadrotor_flight(p, rng):
     """Roll, pitch and yaw of the synthetic flight, in degrees; few samples make a quick picture."""
     flight = quadrotor.simulate(replace(p, dt=0.1), rng)
@@ -199,6 +214,7 @@ PICTURES = {
     ("ship", "poles"): ship_poles,
     ("ship", "noise"): ship_noise,
     ("beetle", "walk"): beetle_walk,
+    ("beetle", "banana"): beetle_banana,
     ("quadrotor", "flight"): quadrotor_flight,
     ("quadrotor", "tilt"): quadrotor_tilt,
 }

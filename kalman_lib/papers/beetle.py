@@ -148,6 +148,35 @@ def linear_model(p):
     )
 
 
+def exact_posterior(p, z):
+    """Mean (2,) and covariance (2, 2) of theta and v after the distances z (T,), not linearised.
+
+    The record tells s with some variance, and nothing else of theta and v. For a given theta the
+    rest is linear in v; theta itself runs over a grid. Q_theta = Q_v = 0.
+    """
+    s, R_s = _slope(p, np.ravel(z))
+    theta = np.linspace(p.theta0 - 7 * p.sigma_theta, p.theta0 + 7 * p.sigma_theta, 20_001)
+    c = np.cos(theta)
+    S = c**2 * p.sigma_v**2 + R_s
+    K = c * p.sigma_v**2 / S
+    y = s - p.v0 * c
+    v = p.v0 + K * y
+    log_weight = -(((theta - p.theta0) / p.sigma_theta) ** 2 + y**2 / S + np.log(S)) / 2
+    weight = np.exp(log_weight - log_weight.max())
+    points = np.array([theta, v])
+    covariance = np.cov(points, aweights=weight, bias=True)
+    covariance[1, 1] += np.average(p.sigma_v**2 * (1 - K * c), weights=weight)
+    return np.average(points, axis=1, weights=weight), covariance
+
+
+def _slope(p, z):
+    """s and its variance from the distances z (T,) alone: weighted least squares, d0 uncertain."""
+    t = p.dt * np.arange(1, len(z) + 1)
+    common = p.sigma_d**2 / (p.R + len(z) * p.sigma_d**2)  # what all of z share
+    weight = (t - common * t.sum()) / p.R
+    return weight @ (z - p.d0) / (weight @ t), 1 / (weight @ t)
+
+
 def bearing_model(p):
     """A second sensor: state [d, theta, v, l], measured: d and the bearing atan2(l, d), rad.
 

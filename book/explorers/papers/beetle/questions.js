@@ -34,6 +34,16 @@ export function question(r, s, t, random) {
   return ask({ ...kind(guess, s), tolerance: TOLERANCE }, given, t, 4);
 }
 
+/** About two beetles that move away equally fast, s = `away` cm/s. */
+export function questionOfOthers(away, t, random) {
+  const other = 0.1 * (2 + random.whole(9)); // rad
+  const co = Math.cos(other);
+  const given = { s: away, other, co, speed: away / co };
+  const kinds = [aboutAway, aboutOther];
+  const kind = kinds[random.whole(kinds.length)];
+  return ask({ ...kind({ away, other_cosine: co }), tolerance: TOLERANCE }, given, t, 4);
+}
+
 /**
  * P_pred of d in the first step, cm^2: the first row of F, times the initial standard deviations, squared.
  */
@@ -66,15 +76,39 @@ function aboutPrediction({ away }, s) {
   };
 }
 
+function aboutAway({ away, other_cosine }) {
+  const speed = away / other_cosine;
+  return {
+    text: {
+      id:
+        "Seekor kumbang berjalan {speed} cm/s ke arah θ = {other} rad (cos θ = {co}). " +
+        "Berapa cm/s jaraknya dari tepi bertambah?",
+      en:
+        "A beetle walks at {speed} cm/s in the direction θ = {other} rad (cos θ = {co}). " +
+        "By how many cm/s does its distance from the edge grow?",
+    },
+    answer: away,
+    hint(value) {
+      if (isNear(value, speed, NEAR)) {
+        return {
+          id: "Itu seluruh jalannya; hanya bagian cos θ yang menambah jarak.",
+          en: "That is all of its walk; only the share cos θ adds to the distance.",
+        };
+      }
+      return { id: "Kalikan v dengan cos θ.", en: "Multiply v by cos θ." };
+    },
+  };
+}
+
 function aboutOther({ away, other_cosine }) {
   return {
     text: {
       id:
-        "Kumbang yang dikira filter menjauh dengan s = v cos θ = {s} cm/s. " +
+        "Seekor kumbang menjauh dengan s = v cos θ = {s} cm/s. " +
         "Kumbang lain berjalan ke arah θ = {other} rad (cos θ = {co}) dan menjauh sama cepatnya. " +
         "Berapa lajunya (cm/s)?",
       en:
-        "The beetle that the filter believes in moves away with s = v cos θ = {s} cm/s. " +
+        "A beetle moves away with s = v cos θ = {s} cm/s. " +
         "Another one walks at θ = {other} rad (cos θ = {co}) and moves away equally fast. " +
         "What is its speed (cm/s)?",
     },

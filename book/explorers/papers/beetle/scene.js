@@ -69,7 +69,7 @@ function sidewaysOf(theta, away) {
 
 // --- painting ----------------------------------------------------------------------------------------------
 
-function paintSink(ctx, X, Y) {
+export function paintSink(ctx, X, Y) {
   ctx.globalAlpha = 0.2;
   ctx.fillRect(0, Y(0), EVERYWHERE, EVERYWHERE);
   ctx.globalAlpha = 1;
@@ -121,7 +121,7 @@ function paintRing({ estimate }) {
 /**
  * A beetle of a few strokes, seen from above, its head towards theta; its legs move with the way it has gone.
  */
-function paintBeetle({ along, distance }, s) {
+export function paintBeetle({ along, distance }, s) {
   const way = s.moment * s.v;
   return (ctx, X, Y) => {
     ctx.save();

@@ -112,3 +112,54 @@ export const SPEED = {
     en: "Plot of the speed against time: the true one, the estimate, and its band.",
   },
 };
+
+export const BANANA = {
+  name: { id: "Satu rekaman jarak, banyak kumbang", en: "One record of distances, many beetles" },
+  above: {
+    title: { id: "Dari atas: geser kumbangnya (cm)", en: "From above: drag the beetle (cm)" },
+    alt: {
+      id:
+        "Kumbang dari atas, sesudah berjalan 20 detik; rekaman jaraknya sebagai titik-titik di kiri, " +
+        "dan arah menurut filter sebagai kipas.",
+      en:
+        "The beetle from above after a walk of 20 seconds; its record of distances as dots on the left, " +
+        "and the filter's direction as a fan.",
+    },
+  },
+  plane: {
+    title: { id: "Laju v (cm/s) terhadap arah θ", en: "Speed v (cm/s) against direction θ" },
+    alt: {
+      id:
+        "Bidang arah dan laju: pita melengkung yang cocok dengan rekaman, elips filter, " +
+        "dan kumbang sebenarnya.",
+      en:
+        "Plane of direction and speed: the bent band that fits the record, the filter's ellipse, " +
+        "and the true beetle.",
+    },
+  },
+  record: { id: "rekaman z", en: "record z" },
+  fits: { id: "cocok dengan rekaman", en: "fits the record" },
+  filter: { id: "filter ± 2σ", en: "filter ± 2σ" },
+  bearing: {
+    id: "sensor kedua: sudut pandang dari tepi wastafel",
+    en: "a second sensor: the bearing from the edge of the sink",
+  },
+  truth: {
+    id: "Kumbang ini berjalan {v} cm/s ke arah θ = {theta} rad.",
+    en: "This beetle walks at {v} cm/s in the direction θ = {theta} rad.",
+  },
+  alone: {
+    id:
+      "Rekaman jaraknya tidak berubah, jadi jawaban filter juga tidak: " +
+      "θ = {theta0} ± {a} rad, v = {v0} ± {b} cm/s.",
+    en:
+      "The record of its distances does not change, nor does the filter's answer: " +
+      "θ = {theta0} ± {a} rad, v = {v0} ± {b} cm/s.",
+  },
+  with_both: {
+    id: "Sudut pandang ikut diukur; jawaban filter: θ = {theta0} ± {a} rad, v = {v0} ± {b} cm/s.",
+    en: "The bearing is measured, too; the filter's answer: θ = {theta0} ± {a} rad, v = {v0} ± {b} cm/s.",
+  },
+  inside: { id: "Kumbangnya ada di dalam elips itu.", en: "The beetle lies inside that ellipse." },
+  outside: { id: "Kumbangnya ada di luar elips itu.", en: "The beetle lies outside that ellipse." },
+};
