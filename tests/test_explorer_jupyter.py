@@ -31,8 +31,11 @@ VIEWS = {  # cell -> paper, view; a control that is a field of Params
     7: ("beetle", None, "R"),
     8: ("quadrotor", None, "m"),
     9: ("quadrotor", "tilt", "bias"),
+    10: ("ship", "poles", "a1"),
+    11: ("ship", "noise", "sigma"),
+    12: ("beetle", "banana", "theta0"),
 }
-SCRATCH = 10  # a cell for whatever a test wants to know from Python
+SCRATCH = len(VIEWS) + 1  # a cell for whatever a test wants to know from Python
 CODE = [f"e{k} = explore({paper!r}, view={view!r})" for k, (paper, view, _) in VIEWS.items()]
 PROSE = {"id": ("lang-id", "Halo."), "en": ("lang-en", "Hello.")}
 
