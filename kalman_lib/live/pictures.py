@@ -68,6 +68,20 @@ def smoother_form(p, rng):
     return plots.series(np.arange(1, len(z) + 1), z, x, rivals={f"MA({p.window})": average})
 
 
+def smoother_draw(p, rng):
+    """A drawn path with noisy dots; the filter and a moving average run after it."""
+    truth = smoother.ready_path()
+    z = truth + rng.normal(0, 0.8, len(truth))
+    believed = replace(p, Q=0.1 * 0.64, R=0.64, x0=5, P0=1000)
+    return plots.series(
+        np.arange(1, len(z) + 1),
+        z,
+        kalman_filter(smoother.model(believed), z).x[:, 0],
+        truth=truth,
+        rivals={"MA(12)": smoother.moving_average(z, 12)},
+    )
+
+
 def smoother_online(p, rng):
     """The first hour of a synthetic stream."""
     z = smoother.silkworm_room(rng).z[:60, 0]
@@ -206,6 +220,7 @@ PICTURES = {
     ("theory", "steps"): theory_steps,
     ("theory", "bells"): theory_bells,
     ("smoother", "form"): smoother_form,
+    ("smoother", "draw"): smoother_draw,
     ("smoother", "online"): smoother_online,
     ("gyro", "flight"): gyro_flight,
     ("gyro", "drift"): gyro_drift,

@@ -129,6 +129,12 @@ def _look_alike(x, sigma, rng):
     return Trajectory(x[:, np.newaxis], z[:, np.newaxis])
 
 
+def ready_path():
+    """A path for the race, ready-made: rest, a ramp, rest, a jump, at the steps 1 to 120: (T,)."""
+    corners = [(1, 2), (25, 2), (55, 7.5), (80, 7.5), (81, 4), (120, 4)]
+    return np.interp(np.arange(1, 121), *np.transpose(corners))
+
+
 # --- the gain, and what it is worth in samples of a moving average ------------------------------
 
 

@@ -1,8 +1,10 @@
 // Chapter 2: what the page needs of it.
+import { drawing } from "./draw.js";
 import { online } from "./online.js";
 import { form } from "./view.js";
 
 export { readFile, readText } from "../../files/table.js"; // for the tests
 export * from "./model.js";
+export { path_of } from "./paths.js";
 export { writeWorkbook } from "./workbook.js";
-export const views = { form, online };
+export const views = { form, draw: drawing, online };

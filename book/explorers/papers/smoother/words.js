@@ -2,6 +2,7 @@
 
 export const NAMES = {
   form: { id: "Formulir penghalus", en: "The smoother's form" },
+  draw: { id: "Gambar sebuah jalur, lalu adu keduanya", en: "Draw a path and let them race" },
   online: { id: "Filter daring", en: "The online filter" },
 };
 
@@ -131,6 +132,49 @@ export const DEVIATION = {
     id: "Grafik simpangan baku menurut filter terhadap nomor data.",
     en: "Plot of the standard deviation as the filter states it against the number of the value.",
   },
+};
+
+// --- draw and race --------------------------------------------------------------------------------------
+
+export const PATH_NAMES = {
+  mixed: { id: "tanjakan dan lompatan", en: "a ramp and a jump" },
+  step: { id: "satu lompatan", en: "one jump" },
+  ramp: { id: "satu tanjakan", en: "one ramp" },
+  zigzag: { id: "naik dan turun", en: "up and down" },
+  own: { id: "gambar sendiri", en: "your own drawing" },
+};
+
+export const DRAW = {
+  plot: {
+    title: { id: "Gambarlah jalur di sini", en: "Draw a path here" },
+    alt: {
+      id: "Grafik jalur yang digambar, titik berderau, garis filter Kalman, garis rataan bergerak.",
+      en: "Plot of the drawn path, noisy dots, the line of the Kalman filter and the moving average.",
+    },
+  },
+  path_label: { id: "jalur", en: "path" },
+  filter_label: "Kalman",
+  trust: { id: "percaya prediksi ← → percaya sensor", en: "trust the forecast ← → trust the sensor" },
+  average: { id: "rataan bergerak", en: "moving average" },
+  window: { id: "banyaknya titik dalam rataan bergerak", en: "dots in the moving average" },
+  shape: { id: "Jalur", en: "Path" },
+  same: { id: "Samakan kehalusannya", en: "Make both equally smooth" },
+};
+
+export const DRAWN = {
+  filter: {
+    id: "Filter Kalman (K = {percent} %): RMSE {far}, terlambat {late} langkah.",
+    en: "Kalman filter (K = {percent} %): RMSE {far}, {late} steps late.",
+  },
+  filter_flat: {
+    id: "Filter Kalman (K = {percent} %): RMSE {far}.",
+    en: "Kalman filter (K = {percent} %): RMSE {far}.",
+  },
+  average: {
+    id: "Rataan {n} titik: RMSE {far}, terlambat {late} langkah.",
+    en: "Average of {n} dots: RMSE {far}, {late} steps late.",
+  },
+  average_flat: { id: "Rataan {n} titik: RMSE {far}.", en: "Average of {n} dots: RMSE {far}." },
 };
 
 // --- one measurement at a time -----------------------------------------------------------------------------
