@@ -1,4 +1,5 @@
 // Chapter 2: what the page needs of it.
+import { cover } from "./cover.js";
 import { drawing } from "./draw.js";
 import { online } from "./online.js";
 import { form } from "./view.js";
@@ -7,4 +8,4 @@ export { readFile, readText } from "../../files/table.js"; // for the tests
 export * from "./model.js";
 export { path_of } from "./paths.js";
 export { writeWorkbook } from "./workbook.js";
-export const views = { form, draw: drawing, online };
+export const views = { form, draw: drawing, online, cover };

@@ -161,6 +161,25 @@ export const DRAW = {
   same: { id: "Samakan kehalusannya", en: "Make both equally smooth" },
 };
 
+/** On the first page of the book, before any letter is known. */
+export const COVER = {
+  name: { id: "Jalur yang kita gambar, dan filternya", en: "A path that we draw, and the filter" },
+  trust: { id: "percaya ramalan ← → percaya sensor", en: "trust the forecast ← → trust the sensor" },
+  dots: "sensor",
+  outcome: {
+    id: "Sensor biasanya meleset {dots}. Garis biru meleset {far} dan terlambat {late} langkah.",
+    en: "The sensor is usually off by {dots}. The blue line is off by {far} and {late} steps late.",
+  },
+  flat: {
+    id: "Sensor biasanya meleset {dots}. Garis biru meleset {far}.",
+    en: "The sensor is usually off by {dots}. The blue line is off by {far}.",
+  },
+  alt: {
+    id: "Grafik jalur yang digambar, titik-titik berderau di sekitarnya, dan garis filter Kalman.",
+    en: "Plot of the drawn path, the noisy dots around it, and the line of the Kalman filter.",
+  },
+};
+
 export const DRAWN = {
   filter: {
     id: "Filter Kalman (K = {percent} %): RMSE {far}, terlambat {late} langkah.",
