@@ -140,17 +140,17 @@ def test_the_progress_is_there_after_a_reload_and_in_the_other_language(opened, 
     other = "en" if language == "id" else "id"
     for address in (page.url, pages[other].as_uri()):
         page.goto(address)
-        assert "2 / 7" in page.locator(".exercise-progress").inner_text()
+        assert "2 / 6" in page.locator(".exercise-progress").inner_text()
         assert page.locator(".exercise-tick").count() == 2
         assert exercise(page, "2.2").locator("input").input_value() in ("0.27", "0,27")
         assert exercise(page, "2.3").locator("input").nth(2).is_checked()
         assert exercise(page, "2.4").locator("summary").is_visible()
         assert not exercise(page, "2.1").locator("summary").is_visible()
     page.locator(".exercise-progress button").click()
-    assert "0 / 7" in page.locator(".exercise-progress").inner_text()
+    assert "0 / 6" in page.locator(".exercise-progress").inner_text()
     assert page.evaluate("document.activeElement.className") == "exercise-progress"
     page.reload()
-    assert "0 / 7" in page.locator(".exercise-progress").inner_text()
+    assert "0 / 6" in page.locator(".exercise-progress").inner_text()
     assert page.locator(".exercise-tick").count() == 0
     assert page.evaluate("Object.keys(localStorage).filter(key => /exercise/.test(key))") == []
 
@@ -163,7 +163,7 @@ def test_an_exercise_that_has_changed_forgets_the_old_answer(opened):
     )
     page.evaluate("localStorage.setItem('filter-kalman/exercise/2.4', 'no JSON')")
     page.reload()
-    assert "0 / 7" in page.locator(".exercise-progress").inner_text()
+    assert "0 / 6" in page.locator(".exercise-progress").inner_text()
     assert answer(page, "2.4", 6.4, language).inner_text() == SAID[language][0]
 
 
