@@ -91,11 +91,11 @@ def test_right_answers_and_typical_mistakes(opened):
 
 def test_first_hint_second_hint_then_the_solution(opened):
     language, page, _ = opened
-    solution = exercise(page, "2.1").locator(".exercise-solution")
-    verdict = answer(page, "2.1", 55, language)
+    solution = exercise(page, "2.2").locator(".exercise-solution")
+    verdict = answer(page, "2.2", 55, language)
     assert verdict.locator("[data-hint]").get_attribute("data-hint") == "hint"
     assert not solution.is_visible()
-    verdict = answer(page, "2.1", 55, language)
+    verdict = answer(page, "2.2", 55, language)
     assert verdict.locator("[data-hint]").get_attribute("data-hint") == "second"
     solution.locator("summary").click()
     assert (
@@ -105,11 +105,11 @@ def test_first_hint_second_hint_then_the_solution(opened):
 
 def test_a_number_that_reads_in_two_ways_is_asked_about(opened):
     language, page, _ = opened
-    verdict = answer(page, "2.6", "197.000", language)
+    verdict = answer(page, "2.6", "137.000", language)
     field = exercise(page, "2.6").locator("input")
     assert field.get_attribute("aria-invalid") == "true"
     buttons = verdict.locator("button")
-    assert buttons.all_inner_texts() == ["197", "197000"]
+    assert buttons.all_inner_texts() == ["137", "137000"]
     assert page.locator(".exercise-progress").inner_text().count("0 / ")
     buttons.first.click()
     assert verdict.inner_text() == SAID[language][0]
@@ -119,8 +119,8 @@ def test_a_number_that_reads_in_two_ways_is_asked_about(opened):
 @pytest.mark.parametrize("text", ["", "abc", "1,234.5", "<b>1</b>", "1/3"])
 def test_what_is_no_number_is_told_right_below_and_not_counted(opened, text):
     language, page, _ = opened
-    verdict = answer(page, "2.1", text, language)
-    field = exercise(page, "2.1").locator("input")
+    verdict = answer(page, "2.2", text, language)
+    field = exercise(page, "2.2").locator("input")
     assert field.get_attribute("aria-invalid") == "true"
     assert f"{verdict.get_attribute('id')}" in field.get_attribute("aria-describedby")
     assert text in verdict.inner_text() and verdict.locator("b").count() == 0
@@ -133,24 +133,24 @@ def test_what_is_no_number_is_told_right_below_and_not_counted(opened, text):
 
 def test_the_progress_is_there_after_a_reload_and_in_the_other_language(opened, pages):
     language, page, _ = opened
-    answer(page, "2.1", 0.27, language)
-    answer(page, "2.2", 55, language)
-    answer(page, "2.2", 56, language)
-    answer(page, "2.4", 2, language)
+    answer(page, "2.2", 0.27, language)
+    answer(page, "2.4", 55, language)
+    answer(page, "2.4", 56, language)
+    answer(page, "2.3", 2, language)
     other = "en" if language == "id" else "id"
     for address in (page.url, pages[other].as_uri()):
         page.goto(address)
-        assert "2 / 7" in page.locator(".exercise-progress").inner_text()
+        assert "2 / 6" in page.locator(".exercise-progress").inner_text()
         assert page.locator(".exercise-tick").count() == 2
-        assert exercise(page, "2.1").locator("input").input_value() in ("0.27", "0,27")
-        assert exercise(page, "2.4").locator("input").nth(2).is_checked()
-        assert exercise(page, "2.2").locator("summary").is_visible()
-        assert not exercise(page, "2.3").locator("summary").is_visible()
+        assert exercise(page, "2.2").locator("input").input_value() in ("0.27", "0,27")
+        assert exercise(page, "2.3").locator("input").nth(2).is_checked()
+        assert exercise(page, "2.4").locator("summary").is_visible()
+        assert not exercise(page, "2.1").locator("summary").is_visible()
     page.locator(".exercise-progress button").click()
-    assert "0 / 7" in page.locator(".exercise-progress").inner_text()
+    assert "0 / 6" in page.locator(".exercise-progress").inner_text()
     assert page.evaluate("document.activeElement.className") == "exercise-progress"
     page.reload()
-    assert "0 / 7" in page.locator(".exercise-progress").inner_text()
+    assert "0 / 6" in page.locator(".exercise-progress").inner_text()
     assert page.locator(".exercise-tick").count() == 0
     assert page.evaluate("Object.keys(localStorage).filter(key => /exercise/.test(key))") == []
 
@@ -158,13 +158,13 @@ def test_the_progress_is_there_after_a_reload_and_in_the_other_language(opened, 
 def test_an_exercise_that_has_changed_forgets_the_old_answer(opened):
     language, page, _ = opened
     page.evaluate(
-        """localStorage.setItem('filter-kalman/exercise/2.1',
+        """localStorage.setItem('filter-kalman/exercise/2.2',
         JSON.stringify({ wrong: 0, value: 0.5, typed: '0.5' }))"""
     )
-    page.evaluate("localStorage.setItem('filter-kalman/exercise/2.2', 'no JSON')")
+    page.evaluate("localStorage.setItem('filter-kalman/exercise/2.4', 'no JSON')")
     page.reload()
-    assert "0 / 7" in page.locator(".exercise-progress").inner_text()
-    assert answer(page, "2.2", 6.4, language).inner_text() == SAID[language][0]
+    assert "0 / 6" in page.locator(".exercise-progress").inner_text()
+    assert answer(page, "2.4", 6.4, language).inner_text() == SAID[language][0]
 
 
 # --- for everybody --------------------------------------------------------------------------------
@@ -178,7 +178,7 @@ def test_where_storage_is_switched_off_everything_else_works(pages, chromium):
     page = context.new_page()
     trouble = listen(page)
     page.goto(pages["en"].as_uri())
-    assert answer(page, "2.1", 0.27, "en").inner_text() == "Right."
+    assert answer(page, "2.2", 0.27, "en").inner_text() == "Right."
     page.locator(".exercise-progress button").click()
     assert not [text for text in trouble if "exercise" in text]
     context.close()
@@ -188,7 +188,7 @@ def test_without_a_script_the_question_and_its_solution_are_there(pages, chromiu
     context = chromium.new_context(java_script_enabled=False, viewport=PHONE)
     page = context.new_page()
     page.goto(pages["id"].as_uri())
-    element = exercise(page, "2.4")
+    element = exercise(page, "2.3")
     assert element.locator("fieldset label").count() == 4
     assert element.locator("fieldset label").first.is_visible()
     assert not element.locator("button").is_visible()
@@ -208,7 +208,7 @@ def test_without_a_script_paper_has_the_solution_below_the_question(pages, chrom
         assert element.locator(".exercise-worked").is_visible()
         assert not element.locator("button").first.is_visible()
         assert not element.locator(".exercise-hints").is_visible()
-    assert exercise(page, "2.4").locator("fieldset label").first.is_visible()
+    assert exercise(page, "2.3").locator("fieldset label").first.is_visible()
     context.close()
 
 
@@ -219,7 +219,7 @@ def test_with_one_the_solutions_are_a_sheet_behind_the_page(opened):
     sheet = page.locator("article > .exercise-sheet")
     assert sheet.is_visible() and sheet.locator(".exercise-worked").count() == len(FOUND)
     assert page.locator(".exercise .exercise-worked:visible").count() == 0
-    assert exercise(page, "2.4").locator("fieldset label").first.is_visible()
+    assert exercise(page, "2.3").locator("fieldset label").first.is_visible()
     assert page.locator(".exercise button:visible, .exercise-hints:visible").count() == 0
     page.evaluate("dispatchEvent(new Event('afterprint'))")
     assert sheet.count() == 0
@@ -250,9 +250,9 @@ def test_it_fits_a_phone_also_with_large_letters(opened):
 
 def test_it_is_accessible_in_both_themes(opened):
     language, page, trouble = opened
-    answer(page, "2.1", "abc", language)
-    answer(page, "2.2", 55, language)
-    answer(page, "2.3", -0.4712, language)
+    answer(page, "2.2", "abc", language)
+    answer(page, "2.4", 55, language)
+    answer(page, "2.1", -0.4712, language)
     page.evaluate(AXE.read_text(encoding="utf-8"))
     page.evaluate(SIMPLIFY)
     page.evaluate(
@@ -267,8 +267,8 @@ def test_it_is_accessible_in_both_themes(opened):
 
 def test_hints_and_solutions_are_not_searched(pages):
     index = (pages["en"].parent.parent / "searchindex.js").read_text(encoding="utf-8")
-    (solution,) = (found.about["solution"]["en"] for found in FOUND if found.number == "2.4")
-    assert "neighbouring" in solution and "neighbour" not in index
+    (solution,) = (found.about["solution"]["en"] for found in FOUND if found.number == "2.3")
+    assert "hundredfold" in solution and "hundredfold" not in index
     assert "fibonacci" in index  # of the text
 
 

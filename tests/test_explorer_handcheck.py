@@ -17,11 +17,11 @@ def pages(tmp_path_factory):
 
 @pytest.fixture(params=LANGUAGES)
 def asked(request, pages, chromium):
-    """(language, the first explorer of the page, which has asked its question)"""
+    """(language, the form of the page, which has asked its question)"""
     page = chromium.new_page(viewport=PHONE, reduced_motion="reduce")
     trouble = listen(page)
     page.goto(pages[request.param].as_uri())
-    element = page.locator("kalman-explorer").first
+    element = page.locator("kalman-explorer:not([view])").first
     page.wait_for_function(
         "e => e.querySelector('.explorer-question')?.textContent", arg=element.element_handle()
     )

@@ -9,9 +9,10 @@ import { MEASURED_NAME, NO_DATA_YET, SOURCES } from "./words.js";
 export const PAPER = { Q: 1e-5, R: 1e-5, x0: 0, P0: 1, window: 3 };
 
 /**
- * Those that suit the Nile: Durbin and Koopman's variances (their unit: 1e8 m3, squared), the first value.
+ * Those that suit the Nile: Durbin and Koopman's variances (their unit: 1e8 m3, squared); the first value
+ * counts once, as nothing is known before it.
  */
-const NILE = { Q: 1469, R: 15099, x0: 1120, P0: 15099, window: 5 };
+const NILE = { Q: 1469, R: 15099, x0: 1120, P0: 1e9, window: 5 };
 
 /** Has the reader brought data? */
 function hasBrought(s) {

@@ -3,7 +3,6 @@ import { rmse } from "../../numerics/metrics.js";
 import { generator } from "../../numerics/random.js";
 import { equal_window, lag, moving_average, run, steady_gain } from "./model.js";
 import { PATHS, path_of } from "./paths.js";
-import { stepQuestion } from "./questions.js";
 import { counted, numbers } from "./shared.js";
 import { DRAW, DRAWN, NAMES, PATH_NAMES } from "./words.js";
 
@@ -126,5 +125,4 @@ export const drawing = {
   plots: [{ ...DRAW.plot, xlabel: "k", height: 230, drag, draw }],
   outcome,
   numbers,
-  question: (r, s, t, random) => stepQuestion(r, { ...s, ...settings(s) }, t, random),
 };

@@ -3,7 +3,7 @@ import { number } from "../../language/input.js";
 import { generator } from "../../numerics/random.js";
 import { look_alike, run, steady_gain } from "./model.js";
 import { question } from "./questions.js";
-import { DEVIATION_PLOT, GAIN_PLOT, counted, drawDeviation, drawGain, numbers } from "./shared.js";
+import { counted, numbers } from "./shared.js";
 import { ARRIVALS, ARRIVED, NAMES, ONLINE_CONTROLS } from "./words.js";
 
 const STREAM = 288; // values: a day
@@ -155,11 +155,7 @@ export const online = {
   controls,
   noise: true,
   compute,
-  plots: [
-    { ...ARRIVALS, xlabel: "k", height: 230, draw: drawArrivals },
-    { ...GAIN_PLOT, draw: (r) => ({ ...drawGain(r.recent), xlim: axisOf(r) }) },
-    { ...DEVIATION_PLOT, draw: (r) => ({ ...drawDeviation(r.recent), xlim: axisOf(r) }) },
-  ],
+  plots: [{ ...ARRIVALS, xlabel: "k", height: 230, draw: drawArrivals }],
   outcome,
   equations,
   numbers,

@@ -27,19 +27,6 @@ export function question(r, s, t, random) {
   return ask({ tolerance: TOLERANCE, ...chosen }, words, t);
 }
 
-/** A question about one of the first steps alone, for who has not met the steady state yet. */
-export function stepQuestion(r, s, t, random) {
-  const k = someStep(r.z, random);
-  const step = stepOf(r, s, k);
-  const given = { Q: s.Q, R: s.R, P: step.P_before, K: step.K, pred: step.x_pred, z: step.z };
-  const words = { k: String(k + 1) };
-  for (const [name, value] of Object.entries(given)) {
-    words[name] = t.decimal(value, DIGITS);
-  }
-  const questions = [aboutGain(step), aboutUpdate(step), aboutVariance(step)];
-  return ask({ tolerance: TOLERANCE, ...questions[random.whole(questions.length)] }, words, t);
-}
-
 /** One of the first steps whose measurement arrived; null: there is none. */
 function someStep(z, random) {
   const first = Array.from(z.subarray(0, FIRST_VALUES).keys());

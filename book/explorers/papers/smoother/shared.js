@@ -29,7 +29,7 @@ export function drawDeviation(r) {
   };
 }
 
-const below = { xlabel: "k", height: 150, half: true, after: true };
+const below = { xlabel: "k", height: 120, half: true, after: true };
 export const GAIN_PLOT = { ...GAIN, ...below };
 export const DEVIATION_PLOT = { ...DEVIATION, ...below };
 

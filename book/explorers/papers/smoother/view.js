@@ -23,6 +23,8 @@ const LIKELIHOOD_POINTS = 5000; // so many values tell Q and R well enough
 const LONGEST_QUOTE = 40; // letters of what was typed in a message
 const LEAST_VARIANCE = 1e-12; // the range of Params
 const LARGEST_VARIANCE = 1e6;
+const LARGEST_P0 = 1e9;
+const VAGUE = 1e6; // P0 / R, where nothing is known yet
 
 function compute(s, memo) {
   const data = load(s, memo);
@@ -108,11 +110,11 @@ function facts(r, s, t) {
 
 // --- controls ----------------------------------------------------------------------------------------------
 
-/** The most likely Q and R; the likelihood starts at the first value, so the filter does, too. */
+/** The most likely Q and R; the likelihood starts at the first value, before which nothing is known. */
 function mostLikely(s, r) {
   const [Q, R] = maximum_likelihood(r.z.subarray(0, LIKELIHOOD_POINTS)).map(asSetting);
   const first = r.z.find((value) => !Number.isNaN(value));
-  return { Q, R, x0: first, P0: R, likely: [Q, R] };
+  return { Q, R, x0: first, P0: Math.min(VAGUE * R, LARGEST_P0), likely: [Q, R] };
 }
 
 /** A variance that was found, as the fields can hold it. */
