@@ -110,6 +110,8 @@ def test_bad_numbers_are_refused_and_the_picture_stays(site, opened):
 @pytest.mark.parametrize("language", ["id", "en"])
 def test_the_hand_check(language, site, opened):
     for name, page, _, element in explorers(site, opened, language):
+        if not element.evaluate("e => e.explorer.view.question !== undefined"):
+            continue  # a view to play with asks nothing
         page.wait_for_function(
             "e => e.querySelector('.explorer-question').textContent", arg=element.element_handle()
         )

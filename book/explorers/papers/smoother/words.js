@@ -153,7 +153,7 @@ export const DRAW = {
     },
   },
   path_label: { id: "jalur", en: "path" },
-  filter_label: "Kalman",
+  filter_label: { id: "filter Kalman", en: "Kalman filter" },
   trust: { id: "percaya prediksi ← → percaya sensor", en: "trust the forecast ← → trust the sensor" },
   average: { id: "rataan bergerak", en: "moving average" },
   window: { id: "banyaknya titik dalam rataan bergerak", en: "dots in the moving average" },
