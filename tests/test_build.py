@@ -32,8 +32,8 @@ def tree(tmp_path, monkeypatch):
         ("book/intro.md", ".\n", "!\n", True),
         (
             "notebooks/03_gyro.ipynb",
-            "Giroskop tidak mengukur sudut",
-            "Giroskop mengukur lain",
+            "Giroskop di dalamnya",
+            "Giroskop itu",
             True,
         ),
         ("notebooks/03_gyro.ipynb", "# The gyroscope", "# A gyroscope", False),
