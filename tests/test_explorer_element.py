@@ -19,7 +19,7 @@ from explorer_helpers import (
 NUMBERS = "details.explorer-numbers"
 
 # Texts that are the same in both languages on purpose
-SAME_TEXT = {"optimum (rad)"}
+SAME_TEXT = {"optimum (rad)", "sensor"}
 SAME_TEXT |= {
     f"{axis}{more}" for axis in ("roll", "pitch") for more in ("", " (°)", "z (°)", "true (°)")
 } | {"yawtrue (°)", "yawz (°)", "xtrue"}
@@ -158,7 +158,7 @@ def test_accessibility(site, opened):
     axe = (ROOT / "book" / "node_modules" / "axe-core" / "axe.min.js").read_text(encoding="utf-8")
     for language in ("id", "en"):
         for path in pages_with_explorers(site, language):
-            page, _ = opened(path)
+            page, _ = opened(path, color_scheme="light")  # of its own, for it is cut short
             page.evaluate(
                 f"document.querySelectorAll('{NUMBERS}').forEach(e => {{ e.open = true }})"
             )

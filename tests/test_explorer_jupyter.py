@@ -107,8 +107,8 @@ def test_a_slider_moves_drawing_and_params(page, number):
     element = element_in(page, number)
     name = VIEWS[number][2]
     slider = element.locator(f"input[type=range][id$='-{name}']")
-    canvas = element.locator("canvas").first
-    seen = canvas.evaluate(SAME_PICTURE)
+    canvases = [canvas.element_handle() for canvas in element.locator("canvas").all()]
+    seen = [canvas.evaluate(SAME_PICTURE) for canvas in canvases]
     slider.focus()
     for _ in range(3):
         slider.press("ArrowRight")
@@ -120,8 +120,8 @@ def test_a_slider_moves_drawing_and_params(page, number):
     assert module.startswith(f"kalman_lib.papers.{VIEWS[number][0]}")
     if number != 2:  # the maps of a wrong sigma move along with the axes
         page.wait_for_function(
-            f"([canvas, seen]) => ({SAME_PICTURE})(canvas) !== seen",
-            arg=[canvas.element_handle(), seen],
+            f"([canvases, seen]) => canvases.some((c, i) => ({SAME_PICTURE})(c) !== seen[i])",
+            arg=[canvases, seen],
         )
 
 

@@ -49,7 +49,7 @@ def pytest_in(copy, *arguments):
 def add_the_toy(copy):
     """Steps 1 to 4 of the recipe."""
     shutil.copy(HERE / "toy.py", copy / "kalman_lib" / "papers" / "toy.py")
-    shutil.copy(HERE / "toy_test.py", copy / "tests" / "test_toy.py")
+    shutil.copy(HERE / "toy_checks.py", copy / "tests" / "test_toy.py")
     shutil.copytree(HERE / "toy", copy / EXPLORER)
     toy_notebook.write(copy / NOTEBOOK)
     contents = copy / "_toc.yml"
@@ -64,7 +64,7 @@ def copy(tmp_path_factory):
     folder = tmp_path_factory.mktemp("book") / "book"
     for name in sources():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(ROOT / name, folder / name)
+        shutil.copy2(ROOT / name, folder / name)  # as old as it is: else npm installs again
     (folder / "book" / "node_modules").symlink_to(ROOT / "book" / "node_modules")
     add_the_toy(folder)
     run(folder, "book/_make/lists.py")
