@@ -192,7 +192,11 @@ def test_accessibility(site, opened):
 
 
 def texts(element):
-    return element.evaluate("""e => {
+    return element.evaluate("""async e => {
+      for (const numbers of e.querySelectorAll('details.explorer-numbers')) {
+        numbers.open = true;
+        while (!numbers.querySelector('td')) await new Promise(requestAnimationFrame);
+      }
       const copy = e.cloneNode(true);
       copy.querySelectorAll('sub').forEach(part => part.remove());
       const words = 'button, label, option, summary, th, p, .explorer-title, .explorer-key';

@@ -188,6 +188,7 @@ def test_shown_twice_both_follow(page):
 def test_dark_as_the_notebook(page):
     element = element_in(page, 1)
     canvas = element.locator("canvas").first
+    canvas.scroll_into_view_if_needed()  # what is out of sight is painted later
     light = canvas.evaluate(SAME_PICTURE)
     colour = "getComputedStyle(e.element).getPropertyValue('--explorer-estimate').trim()"
     for theme, name, estimate in (
