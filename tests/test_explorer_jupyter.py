@@ -204,10 +204,8 @@ def test_dark_as_the_notebook(page):
             estimate,
         )
         if name == "dark":
-            page.wait_for_function(
-                f"([canvas, light]) => ({SAME_PICTURE})(canvas) !== light",
-                arg=[canvas.element_handle(), light],
-            )
+            now = "document.querySelectorAll('.jp-CodeCell')[1].querySelector('.live canvas')"
+            page.wait_for_function(f"light => ({SAME_PICTURE})({now}) !== light", arg=light)
             ink = element.locator(".explorer-outcome").evaluate("e => getComputedStyle(e).color")
             assert min(int(part) for part in ink[4:-1].split(",")[:3]) > 150, ink
 
