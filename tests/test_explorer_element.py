@@ -47,9 +47,8 @@ def test_print_and_no_script_show_the_picture(site, server, chromium, opened):
     for name, page, _, element in explorers(site, opened):
         page.set_viewport_size({"width": 900, "height": 900})
         page.emulate_media(media="print")
-        assert (
-            element.locator("> img").is_visible() and not element.locator(".explorer").is_visible()
-        ), name
+        assert element.locator("> img").is_visible(), name
+        assert not element.locator(".explorer").is_visible(), name
         page.emulate_media(media="screen")
         page.set_viewport_size(PHONE)
     context = chromium.new_context(java_script_enabled=False)
