@@ -186,7 +186,11 @@ def test_shown_twice_both_follow(page):
 
 
 def test_dark_as_the_notebook(page):
-    element = element_in(page, 1)
+    run_cell(page, 1)  # the explorer that stood here first is gone; the others follow all the same
+    element_in(page, 1)
+    element = element_in(page, 4)
+    canvas = element.locator("canvas").first
+    light = canvas.evaluate(SAME_PICTURE)
     colour = "getComputedStyle(e.element).getPropertyValue('--explorer-estimate').trim()"
     for theme, name, estimate in (
         ("JupyterLab Dark", "dark", "#66aee8"),
@@ -201,6 +205,10 @@ def test_dark_as_the_notebook(page):
             estimate,
         )
         if name == "dark":
+            page.wait_for_function(
+                f"([canvas, light]) => ({SAME_PICTURE})(canvas) !== light",
+                arg=[canvas.element_handle(), light],
+            )
             ink = element.locator(".explorer-outcome").evaluate("e => getComputedStyle(e).color")
             assert min(int(part) for part in ink[4:-1].split(",")[:3]) > 150, ink
 

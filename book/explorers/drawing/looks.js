@@ -21,14 +21,15 @@ export const FONT = HERE.startsWith("http")
   ? ["Plus Jakarta Sans", `url("${new URL(FONT_FILE, HERE)}")`, { weight: "200 800" }]
   : null;
 
-let colours = null; // what the style sheet says for the theme of the page
-let observer = null; // of the attribute data-theme
-const restyled = new Set(); // who draws again when colours or fonts have changed
+const colours = new WeakMap(); // {themed element: its colours}, until its theme changes
 
 /** {estimate: "#1f6fb4", ..., grid, axis, words, font}: colours and font around the canvas at this moment. */
 export function coloursFor(canvas) {
-  colours ??= readColours(canvas);
-  return colours;
+  const themed = canvas.closest("[data-theme]") ?? document.documentElement;
+  if (!colours.has(themed)) {
+    colours.set(themed, readColours(canvas));
+  }
+  return colours.get(themed);
 }
 
 function readColours(canvas) {
@@ -42,26 +43,20 @@ function readColours(canvas) {
   return found;
 }
 
-function restyle() {
-  colours = null;
-  for (const again of restyled) {
-    again();
-  }
-}
-
 /** Call `again` when the colours of `themed` or the fonts have changed; returns a function that ends it. */
 export function onThemeChange(themed, again) {
-  restyled.add(again);
-  if (!observer) {
-    observer = new MutationObserver(restyle);
-    observer.observe(themed, { attributeFilter: ["data-theme"] });
-    document.fonts?.ready.then(restyle);
-  }
-  return () => {
-    restyled.delete(again);
-    if (restyled.size === 0) {
-      observer.disconnect();
-      observer = null;
+  let is_followed = true;
+  const restyle = () => {
+    if (is_followed) {
+      colours.delete(themed);
+      again();
     }
+  };
+  const observer = new MutationObserver(restyle);
+  observer.observe(themed, { attributeFilter: ["data-theme"] });
+  document.fonts?.ready.then(restyle);
+  return () => {
+    is_followed = false;
+    observer.disconnect();
   };
 }
