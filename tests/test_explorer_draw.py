@@ -17,10 +17,10 @@ RACE = """([q, window, path], _) => {
 }"""
 
 DRAG = """(places, _) => {
-  const { draw } = _.views, memo = {};
+  const { draw } = _.views, memo = {}, hand = {};
   let s = { ...draw.start, seed: 2, q: 0.1, average: false, shape: "mixed" };
   for (const [x, y] of places) {
-    s = { ...s, ...draw.plots[0].drag(x, y, s, draw.compute(s, memo)) };
+    s = { ...s, ...draw.plots[0].drag(x, y, s, draw.compute(s, memo), hand) };
   }
   return [s.shape, [...s.path]];
 }"""

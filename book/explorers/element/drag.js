@@ -3,10 +3,11 @@ import { nearestStep } from "./settings.js";
 
 const SIDEWAYS = 6; // pixels: so far a finger must go aside before it holds something
 
-/** Let the pointer drag in this plot, as spec.drag(x, y, s, r) of the paper says. */
+/** Let the pointer drag in this plot, as spec.drag(x, y, s, r, hand) of the paper says. */
 export function makeDraggable(explorer, plot) {
   const { canvas } = plot;
-  const grip = { explorer, plot, held: false, pressed: null }; // pressed: by a finger that is undecided yet
+  // pressed: by a finger that is undecided yet; hand: what the paper remembers while one drag lasts
+  const grip = { explorer, plot, held: false, pressed: null, hand: {} };
   canvas.classList.add("draggable");
   canvas.addEventListener("pointerdown", (event) => press(grip, event));
   canvas.addEventListener("pointermove", (event) => pull(grip, event));
@@ -40,6 +41,7 @@ function pull(grip, event) {
 
 function hold(grip, event) {
   grip.pressed = null;
+  grip.hand = {};
   grip.held = move(grip, event);
   if (grip.held) {
     grip.plot.canvas.setPointerCapture(event.pointerId);
@@ -55,11 +57,11 @@ function release(grip) {
 }
 
 /** Change what lies under the pointer; false: there is nothing to take along. */
-function move({ explorer, plot }, event) {
+function move({ explorer, plot, hand }, event) {
   const box = plot.canvas.getBoundingClientRect();
   const x = plot.x_of?.(event.clientX - box.left);
   const y = plot.y_of?.(event.clientY - box.top);
-  const changes = explorer.r && plot.spec.drag(x, y, explorer.s, explorer.r);
+  const changes = explorer.r && plot.spec.drag(x, y, explorer.s, explorer.r, hand);
   if (!changes) {
     return false;
   }

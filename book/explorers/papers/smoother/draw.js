@@ -10,7 +10,6 @@ const SIGMA = 0.8; // of the dots
 const YLIM = [0, 10];
 const LONGEST_WINDOW = 40;
 const LONGEST_LAG = 30; // steps that are tried
-const SAME_DRAG = 250; // ms between two moves of one drag
 
 /** What the filter believes; it knows nothing before the first dot. */
 export function settings({ q }) {
@@ -24,11 +23,10 @@ function compute(s, memo) {
     memo.noise = truth.map(() => SIGMA * rng.normal());
     memo.seed = s.seed;
   }
-  memo.grip ??= { when: -Infinity };
   const z = truth.map((value, k) => value + memo.noise[k]);
   const result = run(settings(s), { z });
   const lines = s.average ? { average: moving_average(z, s.window) } : {};
-  return { truth, z, result, lines, k: counted(z.length), K: steady_gain(s.q), grip: memo.grip };
+  return { truth, z, result, lines, k: counted(z.length), K: steady_gain(s.q) };
 }
 
 // --- the figure --------------------------------------------------------------------------------------------
@@ -47,21 +45,20 @@ function draw(r, s) {
   };
 }
 
-/** The path goes through the pointer, and straight from where the pointer was a moment ago. */
-function drag(x, y, s, { truth, grip }) {
+/** The path goes through the pointer, and straight from where the hand was a moment ago. */
+function drag(x, y, s, { truth }, hand) {
   const at = Math.min(Math.max(Math.round(x), 1), truth.length) - 1;
   const height = Math.min(Math.max(y, YLIM[0]), YLIM[1]);
-  const now = performance.now();
-  const isNew = now - grip.when > SAME_DRAG || s.path === null;
-  const from = isNew ? at : grip.at;
+  const from = hand.at ?? at;
+  const before = hand.height ?? height;
   const path = Float64Array.from(s.path ?? truth);
   const way = Math.abs(at - from);
   for (let i = 0; i <= way; i++) {
     const share = way === 0 ? 1 : i / way;
     const k = from + Math.sign(at - from) * i;
-    path[k] = isNew ? height : grip.height + share * (height - grip.height);
+    path[k] = before + share * (height - before);
   }
-  Object.assign(grip, { at, height, when: now });
+  Object.assign(hand, { at, height });
   return { path, shape: "own" };
 }
 

@@ -9,10 +9,10 @@ const CENTRE = { unit: "cm", min: 15, max: 28, step: 0.1, log: false };
 const WIDTH = { unit: "cm", min: 0.8, max: 4, step: 0.1, log: false };
 const RARE = 3; // standard deviations: honest rulers hardly ever lie so far apart
 
-export function compute(s, memo) {
+export function compute(s) {
   const found = fuse(s.a, s.sigma_a ** 2, s.b, s.sigma_b ** 2);
   const expected = Math.hypot(s.sigma_a, s.sigma_b); // standard deviation of b - a
-  return { ...found, sigma: Math.sqrt(found.P), gap: Math.abs(s.b - s.a), expected, grip: memo };
+  return { ...found, sigma: Math.sqrt(found.P), gap: Math.abs(s.b - s.a), expected };
 }
 
 function outcome(r, s, t) {

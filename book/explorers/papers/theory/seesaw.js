@@ -146,8 +146,6 @@ function dot(ctx, x, y, radius) {
 
 const PIXELS_X = 15; // of a phone for a cm
 const PIXELS_Y = 230; // of a phone for 1/cm
-const SAME_DRAG = 250; // ms, and at most so many pixels, between two moves of one drag
-const SAME_PLACE = 40;
 
 /** Where a pointer can take something: of each ruler the peak, both shoulders; then both ends of the beam. */
 function handlesOf(s) {
@@ -168,20 +166,17 @@ function distance(one, other) {
   return Math.hypot(PIXELS_X * (one.x - other.x), PIXELS_Y * (one.y - other.y));
 }
 
-/** The pointer takes along what it holds already, or else what is nearest. */
-export function drag(x, y, s, r) {
-  const pointer = { x, y };
-  const now = performance.now();
-  const { grip } = r;
-  const holds = grip.name && now - grip.when < SAME_DRAG && distance(grip, pointer) < SAME_PLACE;
-  if (!holds) {
-    const sorted = handlesOf(s).sort((one, other) => distance(one, pointer) - distance(other, pointer));
-    grip.name = sorted[0].name;
+/** The pointer takes along what the hand holds already, or else what is nearest. */
+export function drag(x, y, s, r, hand) {
+  hand.name ??= nearestHandle({ x, y }, s).name;
+  if (hand.name.startsWith("sigma")) {
+    const centre = s[hand.name.replace("sigma_", "")];
+    return { [hand.name]: Math.abs(x - centre) };
   }
-  Object.assign(grip, { x, y, when: now });
-  if (grip.name.startsWith("sigma")) {
-    const centre = s[grip.name.replace("sigma_", "")];
-    return { [grip.name]: Math.abs(x - centre) };
-  }
-  return { [grip.name]: x };
+  return { [hand.name]: x };
+}
+
+function nearestHandle(pointer, s) {
+  const [nearest] = handlesOf(s).sort((one, other) => distance(one, pointer) - distance(other, pointer));
+  return nearest;
 }
