@@ -108,7 +108,6 @@ def build_language(language, again):
 def prepare():
     """What both languages need."""
     offline.copy_vendor()
-    explorers.check()
     cover.draw()
     bekal.draw()
 
@@ -225,6 +224,7 @@ def main():
     page = chosen.only.removesuffix(".ipynb").removesuffix(".md")
     source_of(page)
     offline.install()
+    explorers.for_notebooks()
     prepare()
     try:
         if chosen.watch:

@@ -11,8 +11,7 @@ languages, which belongs to the package (kalman_lib/live/bundle, made, not store
 
 With it go the exercises of the chapters, which kalman_lib.exercises asks (exercise_cells.py).
 
-`python book/_ext/explorers.py` makes what the notebooks need; with FOLDER LANGUAGE it writes the
-files of a page into FOLDER.
+`python book/_ext/explorers.py` makes what the notebooks need.
 """
 
 import importlib
@@ -21,7 +20,6 @@ import json
 import re
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 import exercise_cells
@@ -107,15 +105,6 @@ def write_exercises(target=FOR_NOTEBOOKS):
     offline.write_if_new(target / exercise_cells.FILE, exercise_cells.as_json().encode())
 
 
-def check():
-    """Bundle once before Sphinx starts, in both languages: what is wrong is then one sentence."""
-    try:
-        with tempfile.TemporaryDirectory() as folder:
-            bundle(Path(folder), None)
-    except Mistake as mistake:
-        sys.exit(str(mistake))
-
-
 def bundle_for(app, config):
     """The book's language is known: put its scripts among the static files."""
     from sphinx.errors import ExtensionError
@@ -174,8 +163,4 @@ def setup(app):
 
 if __name__ == "__main__":
     offline.install()
-    check()
-    if sys.argv[1:]:
-        bundle(Path(sys.argv[1]), sys.argv[2])
-    else:
-        for_notebooks()
+    for_notebooks()
