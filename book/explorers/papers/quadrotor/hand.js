@@ -3,6 +3,7 @@
 import { kalmanFilter } from "../../numerics/filters.js";
 import { linearModel } from "../../numerics/models.js";
 import { DEG, GRAVITY } from "./model.js";
+import { gentle } from "./route.js";
 
 export const SECONDS = 20;
 const TILTS = [3, 9]; // s: begins to tilt, begins to come back
@@ -33,12 +34,6 @@ export function hold(rng, { held, push, bias, sigma_gyr, sigma_acc }, dt = HAND_
 
 function rollAt(time, held) {
   return held * (gentle((time - TILTS[0]) / MOVING) - gentle((time - TILTS[1]) / MOVING));
-}
-
-/** From 0 to 1 while `part` does so, without a jerk at either end. */
-function gentle(part) {
-  const inside = Math.min(1, Math.max(0, part));
-  return inside ** 2 * (3 - 2 * inside);
 }
 
 /** The smallest filter of the chapter: the state is the angle, the gyroscope moves it. */

@@ -22,10 +22,7 @@ export function routeOf(dt) {
   const corners = cornersOf();
   const end = corners.at(-1).time;
   const t = new Float64Array(Math.floor(end / dt + 1e-6) + 1).map((_, k) => k * dt);
-  const aloft = t.map((now) => {
-    const up = Math.min(Math.max((now - REST) / CLIMB, 0), 1);
-    return up * up * (3 - 2 * up);
-  });
+  const aloft = t.map((now) => gentle((now - REST) / CLIMB));
   const yaw = smooth(follow(t, corners, "yaw"), bell(dt, YAW_SECONDS, 1));
   const speed = smooth(follow(t, corners, "speed"), bell(dt, SPEED_SECONDS, 1));
   return {
@@ -73,6 +70,12 @@ function follow(t, corners, name) {
     }
     return a[name] + ((b[name] - a[name]) * (now - a.time)) / (b.time - a.time);
   });
+}
+
+/** From 0 to 1 while `part` does so, without a jerk at either end. */
+export function gentle(part) {
+  const inside = Math.min(1, Math.max(0, part));
+  return inside ** 2 * (3 - 2 * inside);
 }
 
 /** A bell of the width tau, both in s, scaled so that the sum of its values to this power is 1. */

@@ -1,4 +1,5 @@
 // The first explorer of chapter 6: one axis in the hand, and three opinions of it.
+import { rmse } from "../../numerics/metrics.js";
 import { generator } from "../../numerics/random.js";
 import { HAND_STEP, PUSHED, SECONDS, addUp, filterHeld, hold } from "./hand.js";
 import { DEG } from "./model.js";
@@ -18,13 +19,9 @@ function compute(s, memo) {
   const estimate = memo.filter.x;
   const k = Math.min(T, Math.max(1, Math.round(s.when / HAND_STEP))) - 1;
   const t = Float64Array.from(x, (_, step) => HAND_STEP * (step + 1));
-  const rmse = { gyro: rmsOf(x, gyro), acc: rmsOf(x, z), filter: rmsOf(x, estimate) };
-  return { T, t, x, z, u, gyro, estimate, filter: memo.filter, k, rmse };
-}
-
-function rmsOf(x, angles) {
-  const sum = angles.reduce((total, angle, k) => total + (x[k] - angle) ** 2, 0);
-  return Math.sqrt(sum / x.length);
+  const [of_gyro, of_acc, of_filter] = [gyro, z, estimate].map((angles) => rmse(x, angles)[0]);
+  const off = { gyro: of_gyro, acc: of_acc, filter: of_filter };
+  return { T, t, x, z, u, gyro, estimate, filter: memo.filter, k, rmse: off };
 }
 
 // --- figures -----------------------------------------------------------------------------------------------
@@ -111,10 +108,10 @@ function turnByHand(right, up) {
 // --- words and numbers -------------------------------------------------------------------------------------
 
 function outcome(r, s, t) {
-  const { k, rmse, x, z, gyro, estimate } = r;
+  const { k, rmse: off, x, z, gyro, estimate } = r;
   const round = (angle) => size(Number(angle.toFixed(1)), t);
   const now = { x: round(x[k]), z: round(z[k]), gyro: round(gyro[k]), filter: round(estimate[k]) };
-  const all = { gyro: size(rmse.gyro, t), z: size(rmse.acc, t), filter: size(rmse.filter, t) };
+  const all = { gyro: size(off.gyro, t), z: size(off.acc, t), filter: size(off.filter, t) };
   return [
     t.say(TILT.all, all),
     t.say(TILT.now, { ...now, when: t.decimal(r.t[k]) }),
