@@ -8,10 +8,11 @@ from decimal import Decimal
 
 import exercise_cells
 from docutils import nodes
-from docutils.statemachine import StringList
-from exercise_parts import LETTERS, name_of
+from exercise_parts import markdown, name_of
 from sphinx.util.docutils import SphinxDirective
 from texts import headings, source_in
+
+from kalman_lib.live.grading import LETTERS
 
 CLASS = "exercise-overview"
 LEAST_DECIMAL = 1e-6  # a smaller number is shown with its power of ten
@@ -114,7 +115,4 @@ class OverviewDirective(SphinxDirective):
         return text.replace(".", ",") if self.language == "id" else text
 
     def parse(self, text):
-        holder = nodes.container()
-        lines = StringList(LINK.sub(r"\1", text).splitlines(), self.env.docname)
-        self.state.nested_parse(lines, self.content_offset, holder)
-        return holder.children
+        return markdown(self, LINK.sub(r"\1", text))

@@ -4,8 +4,10 @@ import html
 import json
 
 from docutils import nodes
+from docutils.statemachine import StringList
 
-LETTERS = "abcd"  # of the choices, as in kalman_lib/live/grading.py
+from kalman_lib.live.grading import LETTERS
+
 VOID = {"input"}  # elements without an end
 WORDS = {
     "id": {
@@ -27,6 +29,14 @@ WORDS = {
 
 class Part(nodes.comment):
     """An element of HTML. As a comment it is not searched: no search tells a solution."""
+
+
+def markdown(directive, text):
+    """The nodes that a directive makes of a piece of Markdown, with its equations."""
+    holder = nodes.container()
+    lines = StringList(text.splitlines(), directive.env.docname)
+    directive.state.nested_parse(lines, directive.content_offset, holder)
+    return holder.children
 
 
 def open_part(translator, node):

@@ -6,6 +6,7 @@ the hints and the solution, all of them rendered here, in the language of the bo
 behind them, are run and then left out. How an exercise is written: CONTRIBUTING.md.
 """
 
+import functools
 import json
 from pathlib import Path
 
@@ -14,7 +15,6 @@ import exercise_overview
 import exercise_parts
 import explorers
 from docutils import nodes
-from docutils.statemachine import StringList
 from exercise_parts import Part
 from figures import is_cell_part
 from sphinx.errors import ExtensionError
@@ -68,14 +68,8 @@ class ExerciseDirective(SphinxDirective):
         if any(exercise_cells.problems_of_metadata(about)):
             return []  # report_problems has told it
         about = exercise_cells.in_language(about, self.config.language)
-        return [exercise_parts.block(number, about, self.config.language, self.parse_markdown)]
-
-    def parse_markdown(self, text):
-        """The nodes of a piece of Markdown, with its equations."""
-        holder = nodes.container()
-        lines = StringList(text.splitlines(), self.env.docname)
-        self.state.nested_parse(lines, self.content_offset, holder)
-        return holder.children
+        parse = functools.partial(exercise_parts.markdown, self)
+        return [exercise_parts.block(number, about, self.config.language, parse)]
 
 
 def leave_out_cells(app, doctree):
