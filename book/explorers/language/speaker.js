@@ -30,7 +30,8 @@ export function short(value, digits = 3) {
 
 /**
  * The speaker of one language ("id" or "en"): t.say({id, en} or one text for both, values), in which {name}
- * stands for values.name, and t.decimal(value, digits). A page holds the words of its own language alone; in
+ * stands for values.name, t.decimal(value, digits), and t.unbroken(value, digits), one word of an equation,
+ * which has no spaces. A page holds the words of its own language alone; in
  * the other one it says nothing.
  */
 export function speaker(language) {
@@ -42,6 +43,7 @@ export function speaker(language) {
     const shown = text.replace(/e(.*)$/, (_, power) => ` × 10${raised(power)}`);
     return language === "id" ? shown.replace(".", ",") : shown;
   };
+  const unbroken = (value, digits) => decimal(value, digits).replace(/ × 10(.*)/, "·10$1");
   const say = (words, values = {}, digits = 3) => {
     const sentence = typeof words === "string" ? words : (words[language] ?? "");
     return sentence.replace(/\{(\w+)\}/g, (_, name) => {
@@ -49,7 +51,7 @@ export function speaker(language) {
       return typeof value === "number" ? decimal(value, digits) : String(value);
     });
   };
-  return { language, decimal, say };
+  return { language, decimal, unbroken, say };
 }
 
 /** "−5" -> "⁻⁵" */

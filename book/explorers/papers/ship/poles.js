@@ -108,7 +108,7 @@ function byDistance(size, [inside, on, outside]) {
 }
 
 function equations({ s }, { a1, a2 }, t) {
-  const write = (value) => t.decimal(value).replace(/ × 10(.*)/, "·10$1");
+  const write = (value) => t.unbroken(value);
   const bracketed = (value) => (value < 0 ? `( ${write(value)} )` : write(value));
   const line = (k) => {
     const sum = `${write(a1)} · ${bracketed(s[k - 2])} + ${bracketed(a2)} · ${bracketed(s[k - 3])}`;

@@ -82,7 +82,7 @@ function outcome(r, s, t) {
 /** The step of the last measurement, with its numbers. */
 function equations(r, s, t) {
   const k = r.z.length - 1;
-  const write = (value) => t.decimal(value, 5).replace(/ × 10(.*)/, "·10$1");
+  const write = (value) => t.unbroken(value, 5);
   if (k < 0) {
     return [[`x_0 = ${write(s.x0)}`], [`P_0 = ${write(s.P0)}`]];
   }

@@ -50,7 +50,7 @@ function equations(r, s, t) {
 
 /** How numbers, vectors and matrices are written: for lines as element/equations.js wants them. */
 function writerFor(t) {
-  const number = (value) => t.decimal(value, 4).replace(/ × 10(.*)/, "·10$1");
+  const number = (value) => t.unbroken(value, 4);
   const matrix = (rows) => ({ matrix: rows.map((row) => Array.from(row, number)) });
   return {
     number,
