@@ -1,7 +1,7 @@
 """The figures of the explorers are painted by a second thread, and look the same without it."""
 
 import pytest
-from explorer_helpers import pages_with_explorers, shown
+from explorer_helpers import PICTURE, explorer_of, pages_with_explorers, picture, shown
 
 
 @pytest.mark.parametrize("scheme", ["http", "file"])
@@ -34,3 +34,25 @@ def test_the_picture_is_the_same_without_a_second_thread(scheme, site, server, c
         assert refused == threads  # a canvas that was handed over has no context in the page
         context.close()
     assert min(drawn[True]) > 1000 and drawn[True] == pytest.approx(drawn[False], rel=0.02)
+
+
+def test_a_theme_that_changes_while_all_is_hidden_is_seen_afterwards(site, opened):
+    """As JupyterLab does it: away and back within one frame, which no observer notices."""
+    page, _, element = explorer_of("gyro", site, opened, color_scheme="light")
+    element.locator("canvas").first.scroll_into_view_if_needed()
+    shown(element)
+    before = picture(element)
+    element.evaluate("""e => {
+      const display = (value) => { document.body.style.display = value; };
+      requestAnimationFrame(() => {
+        display('none');
+        document.documentElement.dataset.theme = 'dark';
+        e.explorer.plots.forEach(plot => plot.forgetSize());  // as a new size does
+      });
+      e.explorer.drawAgain();  // the frame that the new theme finds already asked for
+      requestAnimationFrame(() => display(''));
+    }""")
+    page.wait_for_function(
+        f"([e, before]) => {{ {PICTURE} return picture(e) !== before; }}",
+        arg=[element.element_handle(), before],
+    )

@@ -45,6 +45,14 @@ export class Plot {
     this.width = undefined;
   }
 
+  /**
+   * Was there no room although it is in sight? JupyterLab hides its whole window for part of a frame when its
+   * theme changes, too short for an observer.
+   */
+  get isMissed() {
+    return this.sheet && this.seen && !(this.width > 0);
+  }
+
   /** Ask the browser how large the canvas is. */
   measure() {
     this.width = this.canvas.clientWidth;
@@ -53,7 +61,7 @@ export class Plot {
     const width = Math.round(this.width * scale);
     const height = Math.round(this.height * scale);
     const size = `${width} ${height} ${scale}`;
-    if (this.size !== size) {
+    if (width > 0 && this.size !== size) {
       this.sheet.resize(width, height);
     }
     this.size = size;
@@ -64,11 +72,11 @@ export class Plot {
     if (!this.sheet) {
       return; // it comes in a moment, and asks for a drawing
     }
-    if (this.width === undefined) {
+    if (!(this.width > 0)) {
       this.measure();
     }
     if (!(this.width > 0)) {
-      return;
+      return; // isMissed says so
     }
     const { ctx, spec, speaker, width } = this;
     const layers = drawing.layers.filter(Boolean);

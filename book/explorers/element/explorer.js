@@ -237,17 +237,15 @@ export class Explorer {
   drawAgain() {
     this.redrawing ||= requestAnimationFrame(() => {
       this.redrawing = 0;
-      if (this.r && !this.ended) {
-        this.draw(true);
-        this.words(true);
+      if (!this.r || this.ended) {
+        return;
+      }
+      this.draw(true);
+      this.words(true);
+      if (this.plots.some((plot) => plot.isMissed)) {
+        this.drawAgain();
       }
     });
-  }
-
-  forgetSizes() {
-    for (const plot of this.plots) {
-      plot.forgetSize();
-    }
   }
 
   /** The reader pauses: say the outcome aloud, fill the table, renew the question. */

@@ -124,7 +124,7 @@ function watchSize(explorer, first) {
       first.classList.remove("low"); // to no avail
     }
     if (widthChanged || wasLow !== first.classList.contains("low")) {
-      explorer.forgetSizes();
+      explorer.plots.forEach((plot) => plot.forgetSize());
       explorer.drawAgain();
     }
     width = section.clientWidth;
