@@ -185,6 +185,22 @@ def test_shown_twice_both_follow(page):
 # --- the notebook around --------------------------------------------------------------------------
 
 
+def test_the_arrows_belong_to_the_slider_also_in_notebook_7(page):
+    """Notebook 7 hears every key first; it is JupyterLab's own method that listens there."""
+    element = element_in(page, 1)
+    listening = "jupyterapp.commands.processKeydownEvent(event)"
+    page.evaluate(f"""() => {{
+      window.asNotebook7 = event => {listening};
+      document.addEventListener('keydown', asNotebook7, true);
+    }}""")
+    slider = element.locator("input[type=range]").first
+    value = slider.input_value()
+    slider.press("ArrowRight")
+    page.evaluate("document.removeEventListener('keydown', asNotebook7, true)")
+    assert float(slider.input_value()) > float(value)
+    write_cell(page, SCRATCH, "e1.state = e1.start")
+
+
 def test_dark_as_the_notebook(page):
     run_cell(page, 1)  # the explorer that stood here first is gone; the others follow all the same
     element_in(page, 1)

@@ -48,9 +48,14 @@ function show(papers, model, el) {
   };
 }
 
-/** The arrows move a slider, not the notebook. */
+/**
+ * The arrows move a slider, not the notebook. Notebook 7 hears a key before the wrapper does, and asks the
+ * element that has the focus.
+ */
 function keepKeys(wrapper) {
-  wrapper.setAttribute("data-lm-suppress-shortcuts", "true");
+  wrapper.addEventListener("focusin", ({ target }) => {
+    target.setAttribute("data-lm-suppress-shortcuts", "true");
+  });
   wrapper.addEventListener("keydown", (event) => event.stopPropagation());
 }
 
