@@ -19,7 +19,7 @@ from running import run  # noqa: E402  (it lies in a folder of its own)
 
 
 def store(path):
-    """Execute one notebook in its own folder; what differs from run to run is not kept."""
+    """Execute one notebook in its own folder; what differs from kernel to kernel is not kept."""
     notebook = nbformat.read(path, as_version=4)
     run(notebook, path.parent)
     about = {name: value for name, value in notebook.metadata.items() if name == "book"}
@@ -28,8 +28,6 @@ def store(path):
         "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
         "language_info": {"name": "python"},
     }
-    for cell in notebook.cells:
-        cell.metadata.pop("execution", None)
     nbformat.write(notebook, path)
 
 

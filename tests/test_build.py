@@ -9,6 +9,9 @@ from conftest import ROOT
 sys.path.insert(0, str(ROOT / "book"))
 import build
 import changes
+import chapters
+import nbformat
+from jupyter_cache import get_cache
 
 
 @pytest.fixture
@@ -51,6 +54,20 @@ def test_a_changed_text_changes_its_own_page_only(name, old, new, own_page_only,
     assert old in text
     path.write_text(text.replace(old, new, 1), encoding="utf-8")
     assert (build.frame() == before) == own_page_only
+
+
+def test_what_has_run_is_found_again(tmp_path, monkeypatch):
+    """Otherwise every page would run it once more, and show what only a running kernel can."""
+    path = tmp_path / "notebooks" / "01_toy.ipynb"
+    path.parent.mkdir()
+    words = {"book": {"caption": {"id": "Satu.", "en": "One."}}, "tags": ["toy"]}
+    cell = nbformat.v4.new_code_cell("1", metadata=words)
+    kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3"}}
+    nbformat.write(nbformat.v4.new_notebook(cells=[cell], metadata=kernel), path)
+    monkeypatch.setattr(chapters, "ROOT", tmp_path)
+    monkeypatch.setattr(chapters, "CACHE", tmp_path / "cache")
+    chapters.execute_notebooks()
+    assert chapters.is_cached(path, get_cache(str(tmp_path / "cache")))
 
 
 def test_pictures_that_no_page_shows_are_removed(tmp_path):

@@ -133,6 +133,14 @@ def test_every_image_has_an_alt_text_in_the_language_of_its_page(pages):
             assert image["alt"] != other["alt"], (name, image)
 
 
+def test_a_slider_of_the_kernel_has_left_its_figure(site):
+    """Without a kernel, a page would show what Python calls it: interactive(children=(...))."""
+    pages = sorted(site.rglob("notebooks/*.html"))
+    assert len(pages) > 12
+    for path in pages:
+        assert "interactive(children" not in path.read_text(encoding="utf-8"), path
+
+
 def test_no_english_in_the_chrome_of_the_indonesian_pages(pages):
     english = {
         text for name, entry in pages.items() if name.startswith("en/") for text in entry["chrome"]

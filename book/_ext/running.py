@@ -15,6 +15,7 @@ def run(notebook, folder):
     client = NotebookClient(
         notebook,
         timeout=300,
+        record_timing=False,  # the cache finds a notebook by its cells and their metadata
         store_widget_state=True,
         coalesce_streams=True,
         resources={"metadata": {"path": str(folder)}},
