@@ -1,8 +1,9 @@
-"""The lists that name every chapter, in README.md and book/intro.md: python book/_make/lists.py.
+"""The lists that make lists writes: chapters, in README.md and book/intro.md, and the glossary.
 
 The order is that of _toc.yml, the titles are the first headings of the chapters, and the sentence
 about a chapter stands in the metadata of its notebook: {"book": {"sentence": {"id": ..., "en":
 ...}}}. The errata, with more to say, are written by hand; tests/test_lists.py names what they miss.
+The glossary comes from book/terms.yml (glossary.py).
 """
 
 import json
@@ -13,11 +14,13 @@ from pathlib import Path
 import yaml
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "book" / "_ext"))
+sys.path[:0] = [str(ROOT / "book" / "_ext"), str(ROOT / "book" / "_make")]
+from glossary import glossary  # noqa: E402
 from texts import headings, source_in  # noqa: E402
 
 README, INTRO = ROOT / "README.md", ROOT / "book" / "intro.md"
-LIST = re.compile(r"(<!-- chapters: make lists -->\n).*?(<!-- end -->)", re.DOTALL)
+GLOSSARY = ROOT / "book" / "glossary.md"
+LIST = re.compile(r"(<!-- \w+: make lists -->\n).*?(<!-- end -->)", re.DOTALL)
 
 
 def pages(entries):
@@ -92,7 +95,10 @@ def wanted():
     """{path: its text with the lists as they should be}."""
     readme = with_lists(README.read_text(encoding="utf-8"), readme_list())
     both = intro_list("id"), intro_list("en")
-    return {README: readme, INTRO: with_lists(INTRO.read_text(encoding="utf-8"), *both)}
+    intro = with_lists(INTRO.read_text(encoding="utf-8"), *both)
+    both = glossary("id", chapters()), glossary("en", chapters())
+    terms = with_lists(GLOSSARY.read_text(encoding="utf-8"), *both)
+    return {README: readme, INTRO: intro, GLOSSARY: terms}
 
 
 if __name__ == "__main__":
