@@ -11,7 +11,9 @@ from dataclasses import dataclass
 from conftest import ROOT
 
 sys.path[:0] = [str(ROOT / "book" / "_make"), str(ROOT / "book" / "_ext")]
+import glossary  # noqa: E402, F401 (for the tests)
 import lists  # noqa: E402
+import notation  # noqa: E402, F401 (for the tests)
 from texts import filter_markdown  # noqa: E402
 
 INTRO, BEKAL = "book/intro.md", "book/bekal.md"
@@ -29,7 +31,6 @@ class Passage:
     place: str
     text: str
     announces: tuple = ()  # pages whose terms may be named here before they are explained
-    follows: str = ""  # the passage of the other walk after which this one is read
 
     @property
     def links(self):
@@ -191,7 +192,7 @@ def too_early(terms, path, language):
     found = []
     for term in terms:
         search, known = pattern(term, language), known_from(term, path)
-        for number, passage in enumerate(path[: min(known, len(path))]):
+        for passage in path[: min(known, len(path))]:
             if search and search.search(prose(passage.text)):
                 if not linked(term, passage) and not announced(term, passage, path):
                     found.append((passage.place, term[language]))
@@ -199,11 +200,12 @@ def too_early(terms, path, language):
 
 
 def too_early_in_ideas(terms, sections, path, language):
-    """The same for book/bekal.md: each of its ideas is read where the main path first links to it."""
+    """The same for book/bekal.md: an idea is read where the main path first links to it."""
     order = [section.place for section in sections]
     found = []
     for number, section in enumerate(sections):
-        read = next((i for i, passage in enumerate(path) if section.place in passage.links), len(path))
+        readers = (i for i, passage in enumerate(path) if section.place in passage.links)
+        read = next(readers, len(path))
         for term in terms:
             search, anchor = pattern(term, language), anchor_of(term)
             above = anchor in order[: number + 1]
@@ -213,13 +215,18 @@ def too_early_in_ideas(terms, sections, path, language):
     return found
 
 
-def nowhere(terms, passages, language):
-    """[(name, place)] of the terms whose place does not exist or does not hold them."""
+def texts_by_place(passages):
+    """{place: its words}, for cells and for whole pages."""
     texts = {}
     for passage in passages:
         for place in (passage.place, passage.place.partition("#")[0]):
             texts[place] = texts.get(place, "") + prose(passage.text)
-    found = []
+    return texts
+
+
+def nowhere(terms, passages, language):
+    """[(name, place)] of the terms whose place does not exist or does not hold them."""
+    texts, found = texts_by_place(passages), []
     for term in terms:
         places = [place for place in (term.get("explained"), anchor_of(term)) if place]
         search = pattern(term, language)

@@ -1,4 +1,4 @@
-"""book/glossary.md out of book/terms.yml: one term, its other name, its meaning, where it is explained.
+"""book/glossary.md out of book/terms.yml: a term, its other name, its meaning, its place.
 
 lists.py writes it (make lists). The head of book/terms.yml says what its entries hold.
 """
