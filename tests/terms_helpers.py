@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from conftest import ROOT
 
 sys.path[:0] = [str(ROOT / "book" / "_make"), str(ROOT / "book" / "_ext")]
-import glossary  # noqa: E402, F401 (for the tests)
+import glossary  # noqa: E402
 import lists  # noqa: E402
 import notation  # noqa: E402, F401 (for the tests)
 from texts import filter_markdown  # noqa: E402
@@ -158,11 +158,16 @@ def anchor_of(term):
     return f"{BEKAL}#bekal-{term['bekal']}" if "bekal" in term else None
 
 
+def pages_of(term):
+    """The pages that explain a term."""
+    return {place.partition("#")[0] for place in glossary.places(term)}
+
+
 def known_from(term, path):
     """The number of the passage from which on a reader knows a term; infinity if never."""
-    place, anchor = term.get("explained"), anchor_of(term)
+    places, anchor = glossary.places(term), anchor_of(term)
     for number, passage in enumerate(path):
-        if passage.place == place or anchor in passage.links:
+        if passage.place in places or anchor in passage.links:
             return number
     return float("inf")
 
@@ -171,7 +176,7 @@ def announced(term, passage, path):
     """May the passage name what comes? Only if the pages it speaks of explain it."""
     if not passage.announces:
         return False
-    if term.get("explained", "").partition("#")[0] in passage.announces:
+    if pages_of(term) & set(passage.announces):
         return True
     here = [other for other in path if other.place.partition("#")[0] in passage.announces]
     return any(anchor_of(term) in other.links for other in here)
@@ -179,12 +184,11 @@ def announced(term, passage, path):
 
 def linked(term, passage):
     """Does the passage itself lead to the explanation, or to its page?"""
-    page = term.get("explained", "").partition("#")[0]
     own = passage.place.partition("#")[0]
     targets = {link.partition("#")[0] for link in passage.links if link.startswith("notebooks/")}
     targets |= {link for link in passage.links if link.startswith("book/")}
-    pages = {page} | ({BEKAL} if "bekal" in term else set())
-    return bool((pages - {own, ""}) & targets)
+    pages = pages_of(term) | ({BEKAL} if "bekal" in term else set())
+    return bool((pages - {own}) & targets)
 
 
 def too_early(terms, path, language):
@@ -228,7 +232,7 @@ def nowhere(terms, passages, language):
     """[(name, place)] of the terms whose place does not exist or does not hold them."""
     texts, found = texts_by_place(passages), []
     for term in terms:
-        places = [place for place in (term.get("explained"), anchor_of(term)) if place]
+        places = glossary.places(term) + ([anchor_of(term)] if "bekal" in term else [])
         search = pattern(term, language)
         lost = [place for place in places if place not in texts]
         empty = [p for p in places if p in texts and search and not search.search(texts[p])]

@@ -39,6 +39,12 @@ def read(path=TERMS):
     return yaml.safe_load(path.read_text(encoding="utf-8"))
 
 
+def places(term):
+    """The cells and pages that explain a term: `explained` is one or a list."""
+    explained = term.get("explained", [])
+    return explained if isinstance(explained, list) else [explained]
+
+
 def glossary(language, chapters):
     """The entries of the page in one language, in the order of its alphabet."""
     terms = sorted(read()["terms"], key=lambda term: plain(term[language]).casefold())
@@ -53,7 +59,8 @@ def plain(name):
 def entry(term, language, chapters):
     other = plain(term[OTHER[language]])
     said = f": *{other}*. {term['means'][language]}"
-    links = [bekal_link(term, language), place_link(term, language, chapters)]
+    links = [bekal_link(term, language)]
+    links += [place_link(place, language, chapters) for place in places(term)]
     links = [link for link in links if link]
     words = WORDS[language]
     if links:
@@ -71,10 +78,10 @@ def bekal_link(term, language):
     return f"[{WORDS[language]['bekal']}](bekal.md#bekal-{term['bekal']})"
 
 
-def place_link(term, language, chapters):
+def place_link(place, language, chapters):
     """The chapter, its deeper page or another page that explains a term."""
-    page = term.get("explained", "").partition("#")[0]
-    if not page or page == "book/intro.md":
+    page = place.partition("#")[0]
+    if page == "book/intro.md":
         return ""
     if page.startswith("book/"):
         path = ROOT / page
