@@ -88,6 +88,14 @@ def test_a_term_that_nobody_explains_is_too_early_everywhere_but_beside_a_link()
     ]
 
 
+def test_a_term_with_two_places_is_known_from_the_first_and_must_stand_in_both():
+    twice = {**GAIN, "explained": ["notebooks/01_a_deeper#x", "notebooks/01_a#two"]}
+    assert early(twice, "gain", "gain", "gain") == ["notebooks/01_a#one"]
+    assert early(twice, "gain, [there](01_a_deeper.ipynb)", "gain") == []
+    lost = terms_helpers.nowhere([twice], book("", "gain"), "en")
+    assert lost == [("gain", "notebooks/01_a_deeper#x")]
+
+
 def test_an_opening_names_only_what_its_own_chapter_explains():
     path = book("We build a gain, an EKF, the RMSE.", "The gain.", "")
     path[0].announces = ("notebooks/01_a",)
