@@ -41,7 +41,7 @@ def test_a_letter_stands_where_it_is_said_to_be_explained(language):
     for passage in terms_helpers.everything(language):
         texts[passage.place] = texts.get(passage.place, "") + passage.text
     for entry in ENTRIES:
-        found = letters("".join(letters_helpers.own_equations(texts[entry["explained"]])))
+        found = letters("".join(letters_helpers.MATHS.findall(texts[entry["explained"]])))
         assert letters_helpers.listed(entry) & set(found), entry["letter"]
 
 
