@@ -65,7 +65,7 @@ format-js: $(VENV)/.npm ## let Prettier break the lines of JavaScript and style 
 outputs: $(BUNDLE) ## run the notebooks and store their outputs
 	$(PY) book/store_outputs.py
 
-lists: $(VENV)/.installed ## write the list of chapters in README.md again
+lists: $(VENV)/.installed ## write the lists of chapters and the glossary again
 	$(PY) book/_make/lists.py
 
 lock: $(VENV)/.installed ## write requirements.lock again from requirements.txt
