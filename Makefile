@@ -24,7 +24,7 @@ watch: $(BUNDLE) ## build one page whenever it is saved: make watch PAGE=noteboo
 
 test: lint $(BUNDLE) ## lint, run every test, then every notebook again, comparing its stored outputs
 	$(PY) -m pytest $(SIDE_BY_SIDE) tests
-	$(PY) -m pytest $(SIDE_BY_SIDE) --nbval notebooks
+	$(PY) -m pytest $(SIDE_BY_SIDE) -p no:randomly --nbval notebooks
 
 lab: $(BUNDLE) ## open the notebooks in JupyterLab
 	$(PY) -m jupyterlab --notebook-dir=notebooks

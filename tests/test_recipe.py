@@ -43,7 +43,11 @@ def run(copy, *arguments):
 
 
 def pytest_in(copy, *arguments):
-    return run(copy, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", *arguments)
+    """A notebook is run from the top, also where pytest-randomly is installed."""
+    without = [
+        part for name in ("cacheprovider", "xdist", "randomly") for part in ("-p", f"no:{name}")
+    ]
+    return run(copy, "-m", "pytest", "-q", *without, *arguments)
 
 
 def add_the_toy(copy):
