@@ -89,8 +89,8 @@ function drawEllipse(ctx, { ellipse: { x, P }, sigmas = 2, faint = false }, { X,
 }
 
 /** A sign such as "+", its middle on the place. */
-function drawSign(ctx, { mark, sign }, { X, Y, colours }) {
-  ctx.font = `600 22px ${colours.font}`;
+function drawSign(ctx, { mark, sign }, { X, Y, colours, size }) {
+  ctx.font = `600 ${22 * size}px ${colours.font}`;
   ctx.textAlign = "center";
   ctx.textBaseline = "alphabetic";
   const { actualBoundingBoxAscent: above, actualBoundingBoxDescent: below } = ctx.measureText(sign);
@@ -101,9 +101,9 @@ function drawMark(ctx, { mark }, { X, Y }) {
   drawDot(ctx, X(mark[0]), Y(mark[1]), 5);
 }
 
-function drawText(ctx, { text, at, align }, { X, Y, colours }) {
+function drawText(ctx, { text, at, align }, { X, Y, colours, size }) {
   const beside = align === "right" ? -6 : 6;
-  ctx.font = `600 12px ${colours.font}`;
+  ctx.font = `600 ${12 * size}px ${colours.font}`;
   ctx.textAlign = align || "left";
   ctx.textBaseline = "middle";
   ctx.fillText(text, X(at[0]) + beside, Y(at[1]));
