@@ -1,6 +1,6 @@
-"""What a reader has before him while he reads: what is to be watched, and what there is to say about it.
+"""What a reader has before him: what is to be watched, and what there is to say about it.
 
-Every explorer of the built book, in the windows of phones and laptops. Found there, not listed here.
+Every explorer of the built book, in the windows of phones and laptops; none is listed here.
 """
 
 import pytest
@@ -177,15 +177,15 @@ def test_what_was_copied_is_said_beside_the_button(site, opened):
 
 
 def test_unreadable_text_is_answered_below_it(site, opened):
-    page, _, element = explorer_of("smoother", site, opened)
-    element = page.locator("kalman-explorer:has(textarea)").first
-    element.evaluate("e => e.querySelector('textarea').closest('[hidden]')?.removeAttribute('hidden')")
+    page, _ = opened(site / "id" / "notebooks" / "02_smoother.html")
+    element = page.locator("kalman-explorer:not([view])").first
     paste(element, "1,2\nbukan angka")
     message = element.locator(".explorer-message")
     message.wait_for()
     box = element.locator("textarea")
     assert box.get_attribute("aria-invalid") == "true"
     assert box.get_attribute("aria-describedby") == message.get_attribute("id")
-    assert 0 <= message.bounding_box()["y"] - (
-        box.bounding_box()["y"] + box.bounding_box()["height"]
-    ) < 40
+    edge, text = box.bounding_box(), message.bounding_box()
+    assert 0 <= text["y"] - (edge["y"] + edge["height"]) < 40
+    paste(element, "1,2\n1,3")
+    assert message.is_hidden() and box.get_attribute("aria-invalid") is None

@@ -102,7 +102,7 @@ export class Plot {
     this.layers = layers;
   }
 
-  /** Where everything goes: {box, xlim, ylim, X, Y}; x_of and y_of turn pixels back into values. */
+  /** Where everything goes: {box, xlim, ylim, X, Y}; x_of and y_of turn pixels into values, place() back. */
   fit(drawing, layers) {
     const { spec } = this;
     const margin = spec.bare ? BARE_MARGIN : MARGIN;
@@ -122,6 +122,7 @@ export class Plot {
     const Y = scaleOf(ylim, box.bottom, box.top, spec.ylog);
     this.x_of = inverseScaleOf(xlim, box.left, box.right, spec.xlog);
     this.y_of = inverseScaleOf(ylim, box.bottom, box.top, spec.ylog);
+    this.place = ([x, y]) => [X(x), Y(y)];
     return { box, xlim, ylim, X, Y };
   }
 

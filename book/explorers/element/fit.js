@@ -5,7 +5,7 @@ import { holdStill } from "./still.js";
 
 const SHARE = 0.4; // of the window, for what stays in sight
 const LEAST = 96; // pixels: a lower figure tells nothing
-const LEAST_BARE = 0.55; // of the height of a figure without axes
+const LEAST_BARE = 0.5; // of the height of a figure without axes
 const BESIDE = 16; // pixels below a figure that stands beside the sliders
 const HIGHER = 1.3; // so much may it grow there
 

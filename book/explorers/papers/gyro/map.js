@@ -72,11 +72,11 @@ function mapPlot(words, name, paths, where) {
     height: 220,
     xlog: true,
     ylog: true,
+    handles: (r, s) => [believed(s)],
     drag: (x, y, s) => ({ times_w: inRange(x / s.sigma_w), times_v: inRange(y / s.sigma_v) }),
     draw(r, s, t) {
       const sigma_w = (i) => s.sigma_w * factor(i);
       const sigma_v = (j) => s.sigma_v * factor(j);
-      const believed = [s.times_w * s.sigma_w, s.times_v * s.sigma_v];
       const paint = (ctx, X, Y, colours) => {
         const place = (i, j) => [X(sigma_w(i)), Y(sigma_v(j))];
         paintCells(ctx, r.steps[name], place);
@@ -89,11 +89,16 @@ function mapPlot(words, name, paths, where) {
         layers: [
           { look: "estimate", paint },
           { look: "truth", mark: [s.sigma_w, s.sigma_v], sign: "+", label: LABELS.truth },
-          { look: "measurement", mark: believed, label: LABELS.belief },
+          { look: "measurement", mark: believed(s), label: LABELS.belief },
         ],
       };
     },
   };
+}
+
+/** The place of what the filter believes. */
+function believed(s) {
+  return [s.times_w * s.sigma_w, s.times_v * s.sigma_v];
 }
 
 function inRange(times) {
