@@ -3,6 +3,9 @@
 import pytest
 from site_helpers import LANGUAGES, PHONE
 
+from kalman_lib.plots.figure import WIDTH
+from kalman_lib.plots.styles import STYLE
+
 LONG = 6  # lines of code that a phone shows
 
 
@@ -61,6 +64,25 @@ def test_without_a_script_code_is_open(server, chromium):
     page = chromium.new_page(viewport=PHONE, java_script_enabled=False)
     page.goto(f"{server}/en/notebooks/03_gyro.html")
     assert page.locator("div.cell_input:not(details *) pre").first.is_visible()
+    page.close()
+
+
+# --- figures ------------------------------------------------------------------------------------
+
+
+def test_the_numbers_of_a_figure_are_12_pixels_high_on_a_phone(site, server, phone):
+    smallest = min(STYLE[name] for name in STYLE if name.endswith("size") and name != "font.size")
+    page, seen = phone.new_page(), 0
+    for path in sorted((site / "id" / "notebooks").glob("*.html")):
+        page.goto(f"{server}/id/notebooks/{path.name}")
+        widths = page.locator(".cell_output figure > a > img, figure > a > img").evaluate_all(
+            "images => images.map(image => image.getBoundingClientRect().width)"
+        )
+        seen += len(widths)
+        for width in widths:
+            assert smallest / 72 * width / WIDTH >= 12, (path.name, width)
+        assert page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"], path.name
+    assert seen > 10
     page.close()
 
 

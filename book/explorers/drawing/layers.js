@@ -5,7 +5,7 @@
 //   {look, mark: [a, b], sign, label}        one large mark: a dot, or the sign, such as "+"
 //   {look, at: a, label} / {look, level: b, label}          a line across, upright / level
 //   {text: "t", at: [a, b], look}    a word beside a point
-//   {paint(ctx, X, Y, colours)}      anything else; X and Y turn values into pixels
+//   {paint(ctx, X, Y, colours, size)}  anything else; X and Y turn values into pixels, size is that of text
 // A label is {id, en}, or one text for both, in which "_" makes what follows an index: "x_true", "σ_w".
 import { LOOKS } from "./looks.js";
 
@@ -49,8 +49,8 @@ function kindOf(layer, look) {
   return look.dots ? drawDots : drawCurve;
 }
 
-function drawPaint(ctx, layer, { X, Y, colours }) {
-  layer.paint(ctx, X, Y, colours);
+function drawPaint(ctx, layer, { X, Y, colours, size }) {
+  layer.paint(ctx, X, Y, colours, size);
 }
 
 /** The area between low and high; of very many points some, as many as there are pixels. */

@@ -138,8 +138,8 @@ export class Explorer {
       this.work = this.view.refine?.(this.r, s);
       this.shown = s;
     } catch (error) {
-      tell(this, error);
       this.showControls();
+      tell(this, error);
       return;
     }
     this.refine(start + WORK_AT_ONCE);

@@ -52,14 +52,14 @@ export function tell(explorer, news, plain = false) {
   }
 }
 
-/** The message goes into the part of the control, or below the outcome if nothing was asked for. */
+/** The message goes into the part of the control, or below the outcome if there is none to be seen. */
 function putBeside({ message, live }, part) {
-  if (part?.matches("label")) {
-    part.after(message); // what lies in a label belongs to its name
-  } else if (part) {
-    part.append(message);
-  } else {
+  if (!part || part.hidden) {
     live.after(message);
+  } else if (part.matches("label")) {
+    part.after(message); // what lies in a label belongs to its name
+  } else {
+    part.append(message);
   }
 }
 

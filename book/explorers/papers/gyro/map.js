@@ -10,6 +10,7 @@ const CELLS = Array.from({ length: 2 * HALF + 1 }, (_, k) => k - HALF);
 const LEAST = 0.1; // a sigma is believed a tenth to ten times the true one
 const MOST = 10;
 const APART = 14; // pixels between two numbers on a map
+const LEVEL_FONT = 12;
 
 /** How many times the true sigma is believed in cell i = -HALF ... HALF. */
 function factor(i) {
@@ -77,9 +78,10 @@ function mapPlot(words, name, paths, where) {
     draw(r, s, t) {
       const sigma_w = (i) => s.sigma_w * factor(i);
       const sigma_v = (j) => s.sigma_v * factor(j);
-      const paint = (ctx, X, Y, colours) => {
+      const paint = (ctx, X, Y, colours, size) => {
         const place = (i, j) => [X(sigma_w(i)), Y(sigma_v(j))];
         paintCells(ctx, r.steps[name], place);
+        ctx.font = `600 ${LEVEL_FONT * size}px ${colours.font}`;
         paintLevels(ctx, LEVELS[name], paths(r), place, colours, t);
       };
       const ends = [-HALF - 0.5, HALF + 0.5];
@@ -128,7 +130,6 @@ function paintCells(ctx, steps, place) {
 /** The levels as numbers along paths {value(i), at(i), from, to}, where the value crosses them. */
 function paintLevels(ctx, levels, paths, place, colours, t) {
   ctx.fillStyle = colours.words;
-  ctx.font = `600 11px ${colours.font}`;
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
   for (const { value, at, from, to } of paths) {
