@@ -14,9 +14,10 @@ import bs4
 
 FILE = "sections.js"
 LEFT_OUT = (
-    "script, style, template, kalman-explorer, table.explorer-facts, .headerlink, .katex-mathml, "
+    "script, style, template, kalman-explorer, table.explorer-facts, .headerlink, "
     ".exercise, .copybtn, .toctree-wrapper, .prev-next-area, img, summary, .eqno"
 )
+HEAVY = re.compile(r"<math\b.*?</math>|data:image/[^\"]*|<script\b.*?</script>", re.DOTALL)
 CODE = "pre"
 NAME = re.compile(r"[^\W\d]\w{2,}")
 BLOCKS = "p, li, dt, dd, td, th, h1, h2, h3, h4, figcaption, div"
@@ -24,9 +25,12 @@ BLOCKS = "p, li, dt, dd, td, th, h1, h2, h3, h4, figcaption, div"
 
 def sections_in(page, html):
     """[[page, anchor, title, titles above, prose, names in the code], ...] of one page."""
+    html = HEAVY.sub("", html)
     article = bs4.BeautifulSoup(html, "html.parser").select_one("article.bd-article")
     if article is None:
         return []
+    for equation in article.find_all("span", class_="katex"):
+        equation.replace_with(equation.get_text())  # its hundreds of parts would take seconds
     for part in article.select(LEFT_OUT):
         part.decompose()
     found = []
