@@ -1,9 +1,10 @@
 """What the search of the book finds: every section of every page, with its place.
 
 Sphinx finds pages and opens them at their top. A page here is long, so each of its sections is an
-entry of its own: its anchor, its title, its prose, and the names in its code, which are found but
-never quoted. What an exercise hides (hints, solutions) is left out. book/_static/search.js
-searches in what is written here, also from file://.
+entry of its own: its anchor, its title, its prose, the names in its code, which are found but
+never quoted, and the terms that it explains: what is set off from the text, and "(RTS)". What an
+exercise hides (hints, solutions) is left out. book/_static/search.js searches in what is written
+here, also from file://.
 """
 
 import json
@@ -19,12 +20,13 @@ LEFT_OUT = (
 )
 HEAVY = re.compile(r"<math\b.*?</math>|data:image/[^\"]*|<script\b.*?</script>", re.DOTALL)
 CODE = "pre"
+ABBREVIATION = re.compile(r"\(([A-Z]{2,})\)")
 NAME = re.compile(r"[^\W\d]\w{2,}")
 BLOCKS = "p, li, dt, dd, td, th, h1, h2, h3, h4, figcaption, div"
 
 
 def sections_in(page, html):
-    """[[page, anchor, title, titles above, prose, names in the code], ...] of one page."""
+    """[[page, anchor, title, titles above, prose, names in the code, terms], ...] of one page."""
     html = HEAVY.sub("", html)
     article = bs4.BeautifulSoup(html, "html.parser").select_one("article.bd-article")
     if article is None:
@@ -42,8 +44,11 @@ def sections_in(page, html):
         title = plain(heading.extract())
         anchor = "" if not above else section["id"]
         names = names_in(section)
-        found.append([page, anchor, title, [name for name in above[::-1] if name], names])
-        found[-1].insert(4, prose(section))
+        marked = " ".join(plain(part) for part in section.find_all(["strong", "em"]))
+        text = prose(section)
+        terms = f"{marked} {' '.join(ABBREVIATION.findall(text))}".strip()
+        found.append([page, anchor, title, [name for name in above[::-1] if name], text])
+        found[-1] += [names, terms]
         section.decompose()
     return found[::-1]
 

@@ -6,8 +6,9 @@
   const DEFINING = ["book/bekal", "book/glossary"]; // pages that say what a word means, the first one first
   const WHOLE_TITLE = 60; // points
   const IN_TITLE = 25;
-  const DEFINED = 12;
-  const MOST_TIMES = 6; // that a word counts in the prose
+  const DEFINED = 12; // on such a page
+  const EXPLAINED = 8; // set off from the text, or an abbreviation that is introduced
+  const MOST_TIMES = 4; // that a word counts in the prose
   const IN_CODE = 1;
   const QUOTE = 240; // letters
   const BEFORE = 80;
@@ -28,7 +29,7 @@
   }
 
   /** How well a section answers; 0 if one of the words is missing. */
-  function score([page, , title, above, prose, names], words, query) {
+  function score([page, , title, above, prose, names, terms], words, query) {
     let points = 0;
     for (const word of words) {
       const times = placesOf(word, prose).length;
@@ -37,7 +38,9 @@
       if (times === 0 && !titled && !named) {
         return 0;
       }
-      points += Math.min(times, MOST_TIMES) + (titled ? IN_TITLE : 0) + (named ? IN_CODE : 0);
+      const explained = placesOf(word, terms).length > 0;
+      points += Math.min(times, MOST_TIMES) + (titled ? IN_TITLE : 0);
+      points += (explained ? EXPLAINED : 0) + (named ? IN_CODE : 0);
     }
     if (lower(title) === lower(query.trim())) {
       points += WHOLE_TITLE;
