@@ -20,7 +20,8 @@ def phone(chromium):
 
 CODE = """() => [...document.querySelectorAll('div.cell_input')].map(input => {
   const fold = input.closest('details');
-  return { lines: input.textContent.trim().split('\\n').length, folded: fold !== null,
+  const lines = input.querySelector('pre').textContent.trim().split('\\n').length;
+  return { lines, folded: fold !== null,
     open: fold === null || fold.open, exercise: input.closest('.exercise') !== null,
     bar: fold?.querySelector('summary').getBoundingClientRect().height ?? 0,
     costs: fold && !fold.open ? fold.offsetHeight : 0,

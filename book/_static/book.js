@@ -66,7 +66,7 @@
   }
 
   function isLong(input) {
-    const lines = input.textContent.trim().split("\n").length;
+    const lines = input.querySelector("pre").textContent.trim().split("\n").length; // without the copy button
     return lines > SHORT_CODE && !input.matches(".tag_exercise *");
   }
 
