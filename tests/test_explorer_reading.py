@@ -38,7 +38,7 @@ def test_the_first_figure_stays_in_sight_and_leaves_room(window, site, opened):
           const figures = e.querySelector('.explorer-figures.first');
           const { width, height } = figures.getBoundingClientRect();
           const canvases = [...figures.querySelectorAll('canvas')];
-          return { position: getComputedStyle(figures).position, 
+          return { position: getComputedStyle(figures).position,
             highest: Math.max(...canvases.map(canvas => canvas.clientHeight)),
             share: width * height / innerWidth / innerHeight };
         }""")
