@@ -39,7 +39,16 @@ const BROWSER = [
 ];
 const NODE = ["Buffer", "console", "process", "require"];
 // Of its scripts
-const SPHINX = ["DOCUMENTATION_OPTIONS", "Search", "iconCheck", "iconCopy", "messages", "toggleHintShow"];
+const SPHINX = [
+  "DOCUMENTATION_OPTIONS",
+  "Search",
+  "_finishSearch",
+  "bookSections",
+  "iconCheck",
+  "iconCopy",
+  "messages",
+  "toggleHintShow",
+];
 
 function globals(names, kind = "readonly") {
   return Object.fromEntries(names.map((name) => [name, kind]));

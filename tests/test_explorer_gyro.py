@@ -63,3 +63,40 @@ def test_gyro_a_phone_at_rest_drifts_as_python_says_until_the_sensor_holds_it(si
     assert np.array_equal(same, fan) and np.allclose(x, result.x[:, 0], atol=1e-9)
     assert np.allclose(band, 2 * np.sqrt(result.P[:, 0, 0]), rtol=RELATIVE)
     element.evaluate("e => e.explorer.reset()")
+
+
+def test_gyro_a_finger_drags_the_belief_upwards_and_scrolls_beside_it(site, opened):
+    page, *_ = explorer_of("gyro", site, opened, "en", has_touch=True)
+    element = page.locator("kalman-explorer[view=mismatch]")
+    canvas = element.locator("canvas").first
+    fingers = page.context.new_cdp_session(page)
+
+    def swipe(x, y, up):
+        steps = [("touchStart", y), *(("touchMove", y - up * i / 6) for i in range(1, 7))]
+        for kind, height in steps:
+            points = [{"x": x, "y": height}]
+            fingers.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+        fingers.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+        shown(element)
+
+    def place():
+        """Where the belief is marked in the window, and how far the page is scrolled."""
+        return canvas.evaluate("""canvas => {
+          const { plots, s } = canvas.closest('kalman-explorer').explorer;
+          const plot = plots.find(one => one.canvas === canvas);
+          const [x, y] = plot.place([s.times_w * s.sigma_w, s.times_v * s.sigma_v]);
+          const box = canvas.getBoundingClientRect();
+          return [box.left + x, box.top + y, scrollY];
+        }""")
+
+    element.evaluate("e => e.scrollIntoView({ block: 'center', behavior: 'instant' })")
+    shown(element)
+    x, y, scrolled = place()
+    swipe(x, y, 50)
+    assert place()[1] == pytest.approx(y - 50, abs=8) and place()[2] == scrolled
+    assert element.evaluate("e => e.explorer.s.times_v") > 2
+    before = element.evaluate("e => JSON.stringify(e.explorer.s)")
+    swipe(x - 90, y + 30, 60)  # beside the mark
+    page.wait_for_function("before => scrollY > before", arg=scrolled)
+    assert element.evaluate("e => JSON.stringify(e.explorer.s)") == before
+    element.evaluate("e => e.explorer.reset()")

@@ -102,6 +102,24 @@ def test_every_view_is_the_element_of_the_page_and_live(page, number):
     assert element.evaluate("e => e.explorer.host.link") is None
 
 
+def test_figure_and_sliders_stand_beside_each_other_where_the_cell_is_wide(page):
+    element = element_in(page, 1)
+    places = """e => [e.explorer.first, e.explorer.side].map(part => {
+      const { left, right, top, bottom } = part.getBoundingClientRect();
+      return { left, right, top, bottom };
+    })"""
+    figures, side = element.evaluate(places)
+    assert side["left"] >= figures["right"]
+    element.evaluate("e => { e.style.width = '400px' }")  # the cell gets narrow, not the window
+    page.wait_for_function(
+        "e => e.explorer.side.getBoundingClientRect().left < 200 + e.getBoundingClientRect().left",
+        arg=element.element_handle(),
+    )
+    figures, side = element.evaluate(places)
+    assert side["top"] >= figures["bottom"]
+    element.evaluate("e => { e.style.width = '' }")
+
+
 @pytest.mark.parametrize("number", VIEWS)
 def test_a_slider_moves_drawing_and_params(page, number):
     element = element_in(page, number)

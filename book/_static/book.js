@@ -3,6 +3,8 @@
 "use strict";
 
 (() => {
+  const NARROW = "(max-width: 576px)";
+  const SHORT_CODE = 6; // lines, which stay open on a phone
   const HEADER = 120; // pixels: a section that starts above is read
 
   /** The id of the last section that starts above the upper edge of the window (below the header). */
@@ -51,15 +53,39 @@
     }
   }
 
-  /** A search result shows a formula once, and a term apart from its meaning. */
-  function mendSearch() {
-    const textOf = Search.htmlToText;
-    Search.htmlToText = (page, anchor) => {
-      const parsed = new DOMParser().parseFromString(page, "text/html");
-      parsed.querySelectorAll(".katex-mathml").forEach((element) => element.remove());
-      parsed.querySelectorAll("dt, td, th, p, h2").forEach((element) => element.append(" "));
-      return textOf(parsed.documentElement.outerHTML, anchor);
-    };
+  /** On a phone a long piece of code is one line to tap; without this script, and on paper, it is open. */
+  function foldCode() {
+    const narrow = matchMedia(NARROW);
+    const long = [...document.querySelectorAll("div.cell > div.cell_input")].filter(isLong);
+    const folds = long.map(foldOf);
+    const follow = () => folds.forEach((fold) => (fold.open = !narrow.matches));
+    follow();
+    narrow.addEventListener("change", follow);
+    window.addEventListener("beforeprint", () => folds.forEach((fold) => (fold.open = true)));
+    window.addEventListener("afterprint", follow);
+  }
+
+  function isLong(input) {
+    const lines = input.querySelector("pre").textContent.trim().split("\n").length; // without the copy button
+    return lines > SHORT_CODE && !input.matches(".tag_exercise *");
+  }
+
+  /** The code inside a <details> such as MyST-NB makes for code that every reader finds closed. */
+  function foldOf(input) {
+    const words = document.documentElement.lang === "id" ? ["Tampilkan", "Sembunyikan"] : ["Show", "Hide"];
+    const code = document.documentElement.lang === "id" ? "kode" : "the code";
+    const fold = document.createElement("details");
+    fold.className = "admonition hide above-input fold";
+    const summary = document.createElement("summary");
+    ["collapsed", "expanded"].forEach((name, i) => {
+      const text = document.createElement("p");
+      text.className = `${name} admonition-title`;
+      text.textContent = `${words[i]} ${code}`;
+      summary.append(text);
+    });
+    input.replaceWith(fold);
+    fold.append(summary, input);
+    return fold;
   }
 
   /** The contents of the page lie over the text on a phone: close them when a section was chosen. */
@@ -83,10 +109,6 @@
     });
   }
 
-  // Search summaries are fetched from the pages, which a browser refuses for file://.
-  if (location.protocol === "file:") {
-    DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = false;
-  }
   if (document.documentElement.lang === "id" && typeof messages !== "undefined") {
     translateCopyButton();
   }
@@ -96,13 +118,11 @@
     for (const button of document.querySelectorAll("button.toggle-button")) {
       button.setAttribute("aria-label", toggleHintShow);
     }
+    foldCode();
     makeBoxesFocusable();
     window.addEventListener("load", makeBoxesFocusable); // the fonts are here now
     window.addEventListener("resize", makeBoxesFocusable);
     closeContentsAfterChoice();
-    if (typeof Search !== "undefined") {
-      mendSearch();
-    }
   });
 
   window.addEventListener("load", keepForOffline); // when the page is complete

@@ -86,7 +86,7 @@ def surface(x, y, values, xlabel, ylabel, best=None, drop=(0.5, 2, 5, 10, 20, 50
     ends = (0, 2 * drop[-1])
     points = None if best is None else {r"$\max\ \ln L$": best}
     with new_figure(height, xlabel=xlabel, ylabel=ylabel) as (figure, ax):
-        _draw_heights(ax, x, y, loss, drop, ends, "Blues_r", "-%g", 0.6, 8)
+        _draw_heights(ax, x, y, loss, drop, ends, "Blues_r", "-%g", 0.6, 10)
         add_points(ax, points, 7, zorder=2)
     return figure
 
@@ -95,7 +95,7 @@ def contours(x, y, values, xlabel, ylabel, levels, points=None, fmt="%g", height
     """Lines of equal values (len(y), len(x)) with their numbers, and a dict of points (x, y)."""
     ends = min(np.min(values), levels[0]) - 1, max(np.max(values), levels[-1]) + 1
     with new_figure(height, xlabel=xlabel, ylabel=ylabel) as (figure, ax):
-        _draw_heights(ax, x, y, values, levels, ends, "Blues", fmt, 0.8, 9)
+        _draw_heights(ax, x, y, values, levels, ends, "Blues", fmt, 0.8, 10)
         add_points(ax, points, 7, zorder=2)
     return figure
 

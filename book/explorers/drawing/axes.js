@@ -2,7 +2,7 @@
 
 const TICK_WIDTH = 70; // pixels that a number below the axis needs
 const TICK_HEIGHT = 30;
-const FONT_SIZE = 12;
+const FONT_SIZE = 12; // at the usual size of the text
 
 // --- where the axes end ------------------------------------------------------------------------------------
 
@@ -170,11 +170,11 @@ export function tickText(value, all, log, speaker) {
 
 /**
  * Grid, axes and numbers. box: {left, right, top, bottom} of the axes in pixels; X, Y: scales; xlim, ylim;
- * width of the canvas; spec: the paper's description of the plot.
+ * width of the canvas; size of the text, 1 is the usual one; spec: the paper's description of the plot.
  */
-export function drawAxes(ctx, { box, X, Y, xlim, ylim, width, spec, speaker, colours }) {
-  const xs = ticksOf(xlim, spec.xlog, Math.floor((box.right - box.left) / TICK_WIDTH));
-  const ys = ticksOf(ylim, spec.ylog, Math.round((box.bottom - box.top) / TICK_HEIGHT));
+export function drawAxes(ctx, { box, X, Y, xlim, ylim, width, size, spec, speaker, colours }) {
+  const xs = ticksOf(xlim, spec.xlog, Math.floor((box.right - box.left) / TICK_WIDTH / size));
+  const ys = ticksOf(ylim, spec.ylog, Math.round((box.bottom - box.top) / TICK_HEIGHT / size));
   ctx.lineWidth = 1;
   ctx.setLineDash([]);
   ctx.strokeStyle = colours.grid;
@@ -197,10 +197,10 @@ export function drawAxes(ctx, { box, X, Y, xlim, ylim, width, spec, speaker, col
   ctx.lineTo(box.right, box.bottom + 0.5);
   ctx.stroke();
   ctx.fillStyle = colours.words;
-  ctx.font = `500 ${FONT_SIZE}px ${colours.font}`;
+  ctx.font = `500 ${FONT_SIZE * size}px ${colours.font}`;
   numbersBeside(ctx, ys, box, Y, (value) => tickText(value, ys, spec.ylog, speaker));
-  numbersBelow(ctx, xs, box, X, width, (value) => tickText(value, xs, spec.xlog, speaker));
-  nameBelow(ctx, spec.xlabel || "", box, width);
+  numbersBelow(ctx, xs, { box, X, width, size }, (value) => tickText(value, xs, spec.xlog, speaker));
+  nameBelow(ctx, spec.xlabel || "", { box, width, size });
 }
 
 function numbersBeside(ctx, ys, box, Y, textOf) {
@@ -212,17 +212,17 @@ function numbersBeside(ctx, ys, box, Y, textOf) {
   }
 }
 
-function numbersBelow(ctx, xs, box, X, width, textOf) {
+function numbersBelow(ctx, xs, { box, X, width, size }, textOf) {
   ctx.textAlign = "center";
   ctx.textBaseline = "top";
   for (const value of xs) {
     const text = textOf(value);
     const half = ctx.measureText(text).width / 2;
-    ctx.fillText(text, Math.min(X(value), width - half - 1), box.bottom + 5);
+    ctx.fillText(text, Math.min(X(value), width - half - 1), box.bottom + 5 * size);
   }
 }
 
-function nameBelow(ctx, name, box, width) {
+function nameBelow(ctx, name, { box, width, size }) {
   const half = ctx.measureText(name).width / 2;
-  ctx.fillText(name, Math.min((box.left + box.right) / 2, width - half), box.bottom + 19);
+  ctx.fillText(name, Math.min((box.left + box.right) / 2, width - half), box.bottom + 19 * size);
 }

@@ -5,7 +5,7 @@
 //   {look, mark: [a, b], sign, label}        one large mark: a dot, or the sign, such as "+"
 //   {look, at: a, label} / {look, level: b, label}          a line across, upright / level
 //   {text: "t", at: [a, b], look}    a word beside a point
-//   {paint(ctx, X, Y, colours)}      anything else; X and Y turn values into pixels
+//   {paint(ctx, X, Y, colours, size)}  anything else; X and Y turn values into pixels, size is that of text
 // A label is {id, en}, or one text for both, in which "_" makes what follows an index: "x_true", "σ_w".
 import { LOOKS } from "./looks.js";
 
@@ -49,8 +49,8 @@ function kindOf(layer, look) {
   return look.dots ? drawDots : drawCurve;
 }
 
-function drawPaint(ctx, layer, { X, Y, colours }) {
-  layer.paint(ctx, X, Y, colours);
+function drawPaint(ctx, layer, { X, Y, colours, size }) {
+  layer.paint(ctx, X, Y, colours, size);
 }
 
 /** The area between low and high; of very many points some, as many as there are pixels. */
@@ -89,8 +89,8 @@ function drawEllipse(ctx, { ellipse: { x, P }, sigmas = 2, faint = false }, { X,
 }
 
 /** A sign such as "+", its middle on the place. */
-function drawSign(ctx, { mark, sign }, { X, Y, colours }) {
-  ctx.font = `600 22px ${colours.font}`;
+function drawSign(ctx, { mark, sign }, { X, Y, colours, size }) {
+  ctx.font = `600 ${22 * size}px ${colours.font}`;
   ctx.textAlign = "center";
   ctx.textBaseline = "alphabetic";
   const { actualBoundingBoxAscent: above, actualBoundingBoxDescent: below } = ctx.measureText(sign);
@@ -101,9 +101,9 @@ function drawMark(ctx, { mark }, { X, Y }) {
   drawDot(ctx, X(mark[0]), Y(mark[1]), 5);
 }
 
-function drawText(ctx, { text, at, align }, { X, Y, colours }) {
+function drawText(ctx, { text, at, align }, { X, Y, colours, size }) {
   const beside = align === "right" ? -6 : 6;
-  ctx.font = `600 12px ${colours.font}`;
+  ctx.font = `600 ${12 * size}px ${colours.font}`;
   ctx.textAlign = align || "left";
   ctx.textBaseline = "middle";
   ctx.fillText(text, X(at[0]) + beside, Y(at[1]));

@@ -13,6 +13,7 @@ import { sheetFor } from "./painter.js";
 const MARGIN = { left: 50, right: 12, top: 8, bottom: 34 }; // pixels
 const BARE_MARGIN = { left: 1, right: 6, top: 4, bottom: 4 };
 const HEIGHT = 190; // pixels, where the paper says nothing
+const TEXT = 16; // pixels of the text of a page as it usually is
 const SHARPEST = 3; // pixels of the device for one of the page
 
 export class Plot {
@@ -22,12 +23,13 @@ export class Plot {
     this.speaker = speaker;
     this.legend = "";
     this.canvas = make("canvas", { role: "img", "aria-label": speaker.say(spec.alt) });
-    this.canvas.style.height = `calc(${spec.height || HEIGHT}px * var(--explorer-height, 1))`;
+    const factor = spec.fixed ? 1 : "var(--explorer-height, 1)";
+    this.canvas.style.height = `calc(${spec.height || HEIGHT}px * ${factor})`;
     const title = make("span", { className: "explorer-title" }, label(speaker.say(spec.title)));
     this.keys = make("span", { className: "explorer-keys" });
-    const words = make("div", { className: "explorer-legend" }, title, this.keys);
+    this.words = make("div", { className: "explorer-legend" }, title, this.keys);
     const className = `explorer-plot ${spec.half ? "half" : ""}`;
-    this.element = make("div", { className }, words, this.canvas);
+    this.element = make("div", { className }, this.words, this.canvas);
     this.coming = sheetFor(this.canvas, FONT).then((sheet) => {
       this.sheet = sheet;
       this.ctx = sheet.ctx;
@@ -57,6 +59,7 @@ export class Plot {
   measure() {
     this.width = this.canvas.clientWidth;
     this.height = this.canvas.clientHeight;
+    this.text = Math.max(1, parseFloat(getComputedStyle(this.canvas).fontSize) / TEXT);
     const scale = Math.min(devicePixelRatio || 1, SHARPEST);
     const width = Math.round(this.width * scale);
     const height = Math.round(this.height * scale);
@@ -80,7 +83,7 @@ export class Plot {
     }
     const { ctx, spec, speaker, width } = this;
     const layers = drawing.layers.filter(Boolean);
-    const frame = { ...this.fit(drawing, layers), colours: coloursFor(this.canvas) };
+    const frame = { ...this.fit(drawing, layers), colours: coloursFor(this.canvas), size: this.text };
     const { box } = frame;
     ctx.setTransform(this.scale, 0, 0, this.scale, 0, 0);
     ctx.clearRect(0, 0, width, this.height);
@@ -99,15 +102,16 @@ export class Plot {
     this.layers = layers;
   }
 
-  /** Where everything goes: {box, xlim, ylim, X, Y}; x_of and y_of turn pixels back into values. */
+  /** Where everything goes: {box, xlim, ylim, X, Y}; x_of and y_of turn pixels into values, place() back. */
   fit(drawing, layers) {
     const { spec } = this;
     const margin = spec.bare ? BARE_MARGIN : MARGIN;
+    const size = spec.bare ? 1 : this.text;
     const box = {
-      left: margin.left,
+      left: margin.left * size,
       right: this.width - margin.right,
-      top: margin.top,
-      bottom: this.height - margin.bottom,
+      top: margin.top * size,
+      bottom: this.height - margin.bottom * size,
     };
     let xlim = drawing.xlim || limits(layers, "x", spec.xlog);
     let ylim = drawing.ylim || limits(layers, "y", spec.ylog);
@@ -118,6 +122,7 @@ export class Plot {
     const Y = scaleOf(ylim, box.bottom, box.top, spec.ylog);
     this.x_of = inverseScaleOf(xlim, box.left, box.right, spec.xlog);
     this.y_of = inverseScaleOf(ylim, box.bottom, box.top, spec.ylog);
+    this.place = ([x, y]) => [X(x), Y(y)];
     return { box, xlim, ylim, X, Y };
   }
 

@@ -72,6 +72,7 @@ export function takeAddress(explorer) {
   if (part === undefined) {
     return false;
   }
+  explorer.asked = null; // what there is to say belongs to no control
   try {
     const values = settingsOf(part, explorer.controls, explorer.t);
     explorer.s = { ...explorer.defaults, ...values };

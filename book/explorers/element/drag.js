@@ -1,6 +1,8 @@
-// A pointer that takes something in a figure along. A finger that goes up or down scrolls the page.
+// A pointer that takes something in a figure along. A finger that goes up or down scrolls the page, unless it
+// begins on a handle of the figure.
 import { nearestStep } from "./settings.js";
 
+const NEAR = 26; // pixels around a handle, which belong to it
 const SIDEWAYS = 6; // pixels: so far a finger must go aside before it holds something
 
 /** Let the pointer drag in this plot, as spec.drag(x, y, s, r, hand) of the paper says. */
@@ -18,13 +20,31 @@ export function makeDraggable(explorer, plot) {
     release(grip);
   });
   canvas.addEventListener("pointercancel", () => release(grip));
+  const keepPageStill = (event) => {
+    if (event.cancelable && isOnHandle(grip, event.touches[0])) {
+      event.preventDefault();
+    }
+  };
+  canvas.addEventListener("touchstart", keepPageStill, { passive: false });
+}
+
+/** Does the finger lie on one of the handles that the paper names? */
+function isOnHandle({ explorer, plot }, { clientX, clientY }) {
+  if (!plot.spec.handles || !plot.place || !explorer.r) {
+    return false;
+  }
+  const box = plot.canvas.getBoundingClientRect();
+  return plot.spec.handles(explorer.r, explorer.shown).some((handle) => {
+    const [x, y] = plot.place(handle);
+    return Math.hypot(clientX - box.left - x, clientY - box.top - y) <= NEAR;
+  });
 }
 
 function press(grip, event) {
   if (!event.isPrimary) {
     return;
   }
-  if (event.pointerType === "touch") {
+  if (event.pointerType === "touch" && !isOnHandle(grip, event)) {
     grip.pressed = event;
   } else {
     hold(grip, event);

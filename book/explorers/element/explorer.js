@@ -12,6 +12,7 @@ import { page } from "./host.js";
 import { arrange } from "./layout.js";
 import { tell } from "./messages.js";
 import { completeControls, defaultsOf } from "./settings.js";
+import { holdStill } from "./still.js";
 import { fillTable } from "./tables.js";
 
 const READING = 160; // ms between two changes of the words while something moves: as fast as anybody reads
@@ -137,8 +138,8 @@ export class Explorer {
       this.work = this.view.refine?.(this.r, s);
       this.shown = s;
     } catch (error) {
-      tell(this, error);
       this.showControls();
+      tell(this, error);
       return;
     }
     this.refine(start + WORK_AT_ONCE);
@@ -194,6 +195,10 @@ export class Explorer {
       return;
     }
     this.worded = performance.now();
+    holdStill(this, () => this.writeWords());
+  }
+
+  writeWords() {
     this.showControls();
     for (const plot of this.plots) {
       plot.renewLegend();
@@ -280,17 +285,13 @@ export class Explorer {
     this.playing = null;
     this.moving = null;
     this.work = null;
-    for (const frame of [this.frame, this.later, this.redrawing]) {
-      cancelAnimationFrame(frame);
-    }
+    [this.frame, this.later, this.redrawing].forEach((frame) => cancelAnimationFrame(frame));
     this.frame = 0;
     [this.pause, this.unsaid].forEach(clearTimeout);
-    this.resizes.disconnect();
+    this.forgetSize();
     this.sights.disconnect();
     this.forgetTheme();
-    for (const plot of this.plots) {
-      plot.destroy();
-    }
+    this.plots.forEach((plot) => plot.destroy());
     this.host.leave();
     this.section.remove();
     this.element.classList.remove("live");

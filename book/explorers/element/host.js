@@ -1,6 +1,7 @@
 // What stands around an explorer. In the book it is a page: its address keeps the settings, and its language
 // is that of the text. In a notebook it is a cell, see jupyter/cell.js.
 import { linkTo, settingsToAddress, takeAddress } from "./address.js";
+import { breakOut } from "./breakout.js";
 import { copy } from "./messages.js";
 
 /**
@@ -28,6 +29,7 @@ export function page() {
       const follow = () => takeAddress(explorer) && explorer.schedule();
       addEventListener("hashchange", follow, { signal: left.signal });
       markAround(explorer.element);
+      breakOut(explorer.element, left.signal);
     },
     drawn() {},
     settled: settingsToAddress,

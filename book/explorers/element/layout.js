@@ -2,44 +2,45 @@
 // changes.
 import { onThemeChange } from "../drawing/looks.js";
 import { make } from "../drawing/make.js";
+import { watchSize } from "./fit.js";
 import { makeButton } from "./messages.js";
+import { watchTouch } from "./still.js";
 import { WORDS } from "./words.js";
-
-const ROOM_BELOW = 280; // pixels of a phone that sliders and outcome need below a figure that stays in sight
 
 /** Put the parts of the explorer into its element; explorer.plots, .parts and .check are there already. */
 export function arrange(explorer) {
   const { view, t, plots } = explorer;
-  const first = figures(
+  explorer.first = figures(
     "first",
     plots.filter((plot) => !plot.spec.after),
   );
+  explorer.more = figures("more", []); // the first ones that find no room above the sliders
   const after = figures(
     "",
     plots.filter((plot) => plot.spec.after),
   );
   explorer.outcome = make("p", { className: "explorer-outcome" });
   explorer.live = make("p", { className: "explorer-live", role: "status", "aria-live": "polite" });
-  explorer.message = make("p", { className: "explorer-message", role: "alert", hidden: true });
+  explorer.message = make("p", {
+    className: "explorer-message",
+    id: `${explorer.id}-message`,
+    role: "alert",
+    hidden: true,
+  });
   explorer.equations = scrolling("explorer-equations", t.say(WORDS.equations));
   explorer.equations.hidden = !view.equations;
   explorer.facts = make("table", { className: "explorer-facts", hidden: !view.facts });
   const numbers = numbersBelow(explorer);
   const said = [explorer.outcome, explorer.live, explorer.message];
-  const stage = make(
-    "div",
-    { className: "explorer-stage" },
-    first,
-    ...said,
-    controls(explorer),
-    buttons(explorer),
-  );
+  explorer.side = make("div", { className: "explorer-side" }, ...said, controls(explorer), buttons(explorer));
+  explorer.stage = make("div", { className: "explorer-stage" }, explorer.first, explorer.side);
   const check = explorer.check ? [explorer.check.element] : [];
   const about = { className: "explorer", id: explorer.id, role: "region", "aria-label": t.say(view.name) };
-  const parts = [stage, explorer.equations, explorer.facts, after, ...check, numbers];
+  const parts = [explorer.stage, explorer.more, explorer.equations, explorer.facts, after, ...check, numbers];
   explorer.section = make("div", about, ...parts);
   enter(explorer);
-  watchSize(explorer, first);
+  watchTouch(explorer);
+  explorer.forgetSize = watchSize(explorer);
   watchSight(explorer);
   explorer.forgetTheme = onThemeChange(explorer.host.themed, () => explorer.drawAgain());
 }
@@ -99,39 +100,6 @@ function enter({ element, section }) {
   for (const image of element.querySelectorAll("img")) {
     image.loading = "eager"; // hidden, yet ready to be printed
   }
-}
-
-/**
- * On a phone the first figure stays in sight above the sliders; where it is too tall for that, it gets lower
- * first.
- */
-function watchSize(explorer, first) {
-  const { section, outcome } = explorer;
-  const isTooTall = () => first.offsetHeight > innerHeight - ROOM_BELOW;
-  let width;
-  let height;
-  const fit = () => {
-    const widthChanged = width !== section.clientWidth;
-    if (!widthChanged && height === section.offsetHeight) {
-      return;
-    }
-    const wasLow = first.classList.contains("low");
-    outcome.style.minHeight = widthChanged ? "" : `${outcome.offsetHeight}px`; // it only grows: nothing jumps
-    first.classList.remove("low");
-    first.classList.toggle("low", isTooTall());
-    first.classList.toggle("stays", !isTooTall());
-    if (isTooTall()) {
-      first.classList.remove("low"); // to no avail
-    }
-    if (widthChanged || wasLow !== first.classList.contains("low")) {
-      explorer.plots.forEach((plot) => plot.forgetSize());
-      explorer.drawAgain();
-    }
-    width = section.clientWidth;
-    height = section.offsetHeight;
-  };
-  explorer.resizes = new ResizeObserver(fit);
-  explorer.resizes.observe(section);
 }
 
 /** Only the plots in sight are drawn. */

@@ -20,12 +20,59 @@ export async function safely(explorer, action) {
   }
 }
 
-/** Show a sentence or what is wrong; null: nothing any more. plain: it is good news. */
-export function tell({ message, t }, news, plain = false) {
+/** The message goes as soon as what is typed is right. */
+export function forgive(explorer, value) {
+  try {
+    value();
+    tell(explorer, null);
+  } catch {
+    // not yet
+  }
+}
+
+/**
+ * Show a sentence or what is wrong, beside what the reader has used; null: nothing any more. plain: it is
+ * good news; otherwise the field that was filled in is marked.
+ */
+export function tell(explorer, news, plain = false) {
+  const { message, t, asked } = explorer;
   const text = sentenceOf(news, t);
+  unmark(explorer);
   message.classList.toggle("plain", plain);
-  setText(message, text);
   message.hidden = text === "";
+  if (text !== "") {
+    putBeside(explorer, asked?.part);
+    if (asked?.field && !plain) {
+      mark(explorer, asked.field);
+    }
+  }
+  setText(message, text);
+  if (text !== "" && asked) {
+    message.scrollIntoView({ block: "nearest", behavior: "instant" });
+  }
+}
+
+/** The message goes into the part of the control, or below the outcome if there is none to be seen. */
+function putBeside({ message, live }, part) {
+  if (!part || part.hidden) {
+    live.after(message);
+  } else if (part.matches("label")) {
+    part.after(message); // what lies in a label belongs to its name
+  } else {
+    part.append(message);
+  }
+}
+
+function mark(explorer, field) {
+  field.setAttribute("aria-invalid", "true");
+  field.setAttribute("aria-describedby", explorer.message.id);
+  explorer.marked = field;
+}
+
+function unmark(explorer) {
+  explorer.marked?.removeAttribute("aria-invalid");
+  explorer.marked?.removeAttribute("aria-describedby");
+  explorer.marked = null;
 }
 
 function sentenceOf(news, t) {

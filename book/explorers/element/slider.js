@@ -1,7 +1,7 @@
 // A slider with a field to type into. On a log scale the slider has STEPS places.
 import { label, make } from "../drawing/make.js";
 import { number } from "../language/input.js";
-import { safely } from "./messages.js";
+import { forgive, safely } from "./messages.js";
 import { accepted, valueOf } from "./settings.js";
 import { WORDS } from "./words.js";
 
@@ -32,7 +32,8 @@ export function makeSlider(explorer, control) {
       return;
     }
     const text = fieldText(value, explorer.t);
-    if (typed.value !== text && document.activeElement !== typed) {
+    const isRefused = typed.getAttribute("aria-invalid") === "true"; // it stays, the message speaks of it
+    if (typed.value !== text && document.activeElement !== typed && !isRefused) {
       typed.value = text;
     }
     range.setAttribute("aria-valuetext", `${explorer.t.decimal(value)} ${control.unit}`.trim());
@@ -92,8 +93,14 @@ function typedInput(explorer, control) {
     className: "explorer-value",
     "aria-label": t.say(WORDS.typed, { name }),
   });
+  const value = () => accepted(control, number(typed.value), t);
   typed.addEventListener("change", () => {
-    safely(explorer, () => explorer.change({ [control.name]: accepted(control, number(typed.value), t) }));
+    safely(explorer, () => explorer.change({ [control.name]: value() }));
+  });
+  typed.addEventListener("input", () => {
+    if (explorer.marked === typed) {
+      forgive(explorer, value);
+    }
   });
   return typed;
 }

@@ -10,6 +10,7 @@ const CELLS = Array.from({ length: 2 * HALF + 1 }, (_, k) => k - HALF);
 const LEAST = 0.1; // a sigma is believed a tenth to ten times the true one
 const MOST = 10;
 const APART = 14; // pixels between two numbers on a map
+const LEVEL_FONT = 12;
 
 /** How many times the true sigma is believed in cell i = -HALF ... HALF. */
 function factor(i) {
@@ -72,14 +73,15 @@ function mapPlot(words, name, paths, where) {
     height: 220,
     xlog: true,
     ylog: true,
+    handles: (r, s) => [believed(s)],
     drag: (x, y, s) => ({ times_w: inRange(x / s.sigma_w), times_v: inRange(y / s.sigma_v) }),
     draw(r, s, t) {
       const sigma_w = (i) => s.sigma_w * factor(i);
       const sigma_v = (j) => s.sigma_v * factor(j);
-      const believed = [s.times_w * s.sigma_w, s.times_v * s.sigma_v];
-      const paint = (ctx, X, Y, colours) => {
+      const paint = (ctx, X, Y, colours, size) => {
         const place = (i, j) => [X(sigma_w(i)), Y(sigma_v(j))];
         paintCells(ctx, r.steps[name], place);
+        ctx.font = `600 ${LEVEL_FONT * size}px ${colours.font}`;
         paintLevels(ctx, LEVELS[name], paths(r), place, colours, t);
       };
       const ends = [-HALF - 0.5, HALF + 0.5];
@@ -89,11 +91,16 @@ function mapPlot(words, name, paths, where) {
         layers: [
           { look: "estimate", paint },
           { look: "truth", mark: [s.sigma_w, s.sigma_v], sign: "+", label: LABELS.truth },
-          { look: "measurement", mark: believed, label: LABELS.belief },
+          { look: "measurement", mark: believed(s), label: LABELS.belief },
         ],
       };
     },
   };
+}
+
+/** The place of what the filter believes. */
+function believed(s) {
+  return [s.times_w * s.sigma_w, s.times_v * s.sigma_v];
 }
 
 function inRange(times) {
@@ -123,7 +130,6 @@ function paintCells(ctx, steps, place) {
 /** The levels as numbers along paths {value(i), at(i), from, to}, where the value crosses them. */
 function paintLevels(ctx, levels, paths, place, colours, t) {
   ctx.fillStyle = colours.words;
-  ctx.font = `600 11px ${colours.font}`;
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
   for (const { value, at, from, to } of paths) {

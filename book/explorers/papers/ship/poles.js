@@ -143,7 +143,15 @@ export const by_hand = {
   ],
   compute,
   plots: [
-    { ...HAND_POLES, bare: true, height: 240, equal: true, drag: dragPole, draw: drawPlane },
+    {
+      ...HAND_POLES,
+      bare: true,
+      height: 240,
+      equal: true,
+      handles: (r) => r.poles,
+      drag: dragPole,
+      draw: drawPlane,
+    },
     { ...CONTINUED, xlabel: "k", height: 200, draw: drawForecast },
   ],
   outcome,

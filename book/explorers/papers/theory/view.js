@@ -202,7 +202,7 @@ export const steps = {
   compute,
   plots: [
     { ...PLANE, xlabel: "p (m)", height: 235, draw: plane, drag },
-    { ...GAIN, height: 88, bare: true, draw: strip },
+    { ...GAIN, height: 88, bare: true, fixed: true, draw: strip },
   ],
   outcome,
   equations,
