@@ -37,7 +37,7 @@ def test_gyro_the_map_of_a_wrong_sigma_is_pythons(changes, site, opened):
     said = [
         float(word)
         for word in re.findall(
-            r"runs.*RMSE ([\d.]+) rad, NEES ([\d.]+)\.$",
+            r"experiments.*RMSE ([\d.]+) rad, NEES ([\d.]+)\.$",
             element.locator(".explorer-outcome").inner_text(),
         )[0]
     ]
@@ -63,3 +63,43 @@ def test_gyro_a_phone_at_rest_drifts_as_python_says_until_the_sensor_holds_it(si
     assert np.array_equal(same, fan) and np.allclose(x, result.x[:, 0], atol=1e-9)
     assert np.allclose(band, 2 * np.sqrt(result.P[:, 0, 0]), rtol=RELATIVE)
     element.evaluate("e => e.explorer.reset()")
+
+
+def test_gyro_nothing_is_asked_before_its_rule_stands_on_the_page(site, opened):
+    """The first view asks nothing; the simulation asks for sigma_w sqrt(T t), too."""
+    page, *_ = explorer_of("gyro", site, opened, "en")
+    first = page.locator("kalman-explorer[view=drift]")
+    assert first.evaluate("e => e.explorer.view.question === undefined")
+    assert first.locator("form").count() == 0
+    element = page.locator("kalman-explorer[paper=gyro]:not([view])")
+    set_state(element, sigma_w=0.5, T=0.2, duration=30)
+    answers = element.evaluate("""e => {
+      const { view, r, s, t } = e.explorer;
+      return [...Array(5).keys()].map(kind => {
+        const { text, answer } = view.question(r, s, t, { whole: () => kind });
+        return text.startsWith("The gyroscope alone") ? answer : null;
+      }).filter(answer => answer !== null);
+    }""")
+    assert answers == [pytest.approx(0.5 * np.sqrt(0.2 * 30))]
+    element.evaluate("e => e.explorer.reset()")
+
+
+def test_gyro_the_numbers_of_a_map_do_not_touch_and_the_truth_stands_above_the_belief(site, opened):
+    page, *_ = explorer_of("gyro", site, opened, "id")
+    element = page.locator("kalman-explorer[view=mismatch]")
+    shown(element)
+    boxes, order = element.evaluate("""e => {
+      const { plots, r, s, t } = e.explorer;
+      const boxes = [], ctx = new Proxy({}, { set: () => true, get: (_, name) =>
+        name === "fillText" ? (text, x, y) => boxes.push([x, y, 6.5 * text.length]) : () => {} });
+      const { layers, xlim, ylim } = plots[0].spec.draw(r, s, t);
+      const box = plots[0].canvas.getBoundingClientRect();
+      const scale = ([a, b], size) => v => size * Math.log(v / a) / Math.log(b / a);
+      layers.find(layer => layer.paint).paint(ctx, scale(xlim, box.width - 60),
+        scale(ylim, box.height - 45), { font: "sans-serif" });
+      return [boxes, layers.map(layer => layer.look)];
+    }""")
+    assert len(boxes) >= 6 and order.index("truth") > order.index("measurement")
+    for i, (x, y, width) in enumerate(boxes):
+        for a, b, other in boxes[:i]:
+            assert abs(x - a) >= (width + other) / 2 or abs(y - b) >= 12

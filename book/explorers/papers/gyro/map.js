@@ -9,7 +9,7 @@ const LEVELS = { cost: [1.1, 1.3, 1.6, 2, 2.5, 3], nees: [0.03, 0.1, 0.3, 1, 3, 
 const CELLS = Array.from({ length: 2 * HALF + 1 }, (_, k) => k - HALF);
 const LEAST = 0.1; // a sigma is believed a tenth to ten times the true one
 const MOST = 10;
-const APART = 14; // pixels between two numbers on a map
+const APART = 24; // pixels between two numbers on a map
 
 /** How many times the true sigma is believed in cell i = -HALF ... HALF. */
 function factor(i) {
@@ -69,7 +69,7 @@ function mapPlot(words, name, paths, where) {
     ...words,
     ...where,
     xlabel: "rad/s",
-    height: 220,
+    height: 290,
     xlog: true,
     ylog: true,
     drag: (x, y, s) => ({ times_w: inRange(x / s.sigma_w), times_v: inRange(y / s.sigma_v) }),
@@ -88,8 +88,8 @@ function mapPlot(words, name, paths, where) {
         ylim: ends.map(sigma_v),
         layers: [
           { look: "estimate", paint },
-          { look: "truth", mark: [s.sigma_w, s.sigma_v], sign: "+", label: LABELS.truth },
           { look: "measurement", mark: believed, label: LABELS.belief },
+          { look: "truth", mark: [s.sigma_w, s.sigma_v], sign: "+", label: LABELS.truth }, // above the dot
         ],
       };
     },

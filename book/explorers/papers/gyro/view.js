@@ -30,7 +30,7 @@ function drawAngle(r) {
 function drawError(r) {
   const { spread: high, minus: low } = spread(r);
   const { count } = r.runs;
-  const of_runs = { id: `±2σ dari ${count} percobaan`, en: `±2σ of ${count} runs` };
+  const of_runs = { id: `±2σ dari ${count} percobaan`, en: `±2σ of ${count} experiments` };
   return {
     xlim: timeSpan(r),
     layers: [
@@ -117,15 +117,20 @@ function facts(r, s, t) {
   const mean_root = (sums, k) => Math.sqrt(sums[k] / r.runs.count);
   const row = (name, ...values) => [name, ...values.map((value) => t.decimal(value))];
   const { e2, best2 } = r.runs;
-  return {
-    head: ["", t.say(FACTS.first), t.say(FACTS.last), t.say(FACTS.steady)],
-    rows: [
-      row("K", r.filter.K[0], r.filter.K[last], K),
-      row("√P (rad)", r.root[0], r.root[last], sigma),
-      row(t.say(FACTS.error), mean_root(e2, 0), mean_root(e2, last), error_with_gain(s, K)),
-      row(t.say(FACTS.optimum), mean_root(best2, 0), mean_root(best2, last), best_sigma),
-    ],
-  };
+  const rows = [
+    row("K", r.filter.K[0], r.filter.K[last], K),
+    row(t.say(FACTS.stated), r.root[0], r.root[last], sigma),
+    row(
+      t.say(FACTS.error, { runs: String(r.runs.count) }),
+      mean_root(e2, 0),
+      mean_root(e2, last),
+      error_with_gain(s, K),
+    ),
+  ];
+  if (s.other) {
+    rows.push(row(t.say(FACTS.optimum), mean_root(best2, 0), mean_root(best2, last), best_sigma));
+  }
+  return { head: ["", t.say(FACTS.first), t.say(FACTS.last), t.say(FACTS.steady)], rows };
 }
 
 const HEAD = [
