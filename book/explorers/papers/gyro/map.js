@@ -69,7 +69,7 @@ function mapPlot(words, name, paths, where) {
     ...words,
     ...where,
     xlabel: "rad/s",
-    height: 290,
+    height: 280,
     xlog: true,
     ylog: true,
     drag: (x, y, s) => ({ times_w: inRange(x / s.sigma_w), times_v: inRange(y / s.sigma_v) }),
@@ -217,6 +217,8 @@ function beliefButton(words, times_w, times_v) {
   return { ...words, set: { times_w, times_v }, pressed };
 }
 
+const never = () => false; // Python and a link may set these; the reader has enough to move
+
 const times = { min: LEAST, max: MOST, step: 0.1, log: true, default: 1, unit: "" };
 
 export const mismatch = {
@@ -237,8 +239,8 @@ export const mismatch = {
     { ...times, name: "times_v", symbol: "c_v", ...CONTROLS.times_v },
     { name: "sigma_w", symbol: "σ_w" },
     { name: "sigma_v", symbol: "σ_v" },
-    { name: "duration", symbol: "t" },
-    { name: "T", symbol: "T" },
+    { name: "duration", symbol: "t", visible: never },
+    { name: "T", symbol: "T", visible: never },
   ],
   compute: compare,
   refine: manyRuns,

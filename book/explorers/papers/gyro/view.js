@@ -119,15 +119,11 @@ function facts(r, s, t) {
   const { e2, best2 } = r.runs;
   const rows = [
     row("K", r.filter.K[0], r.filter.K[last], K),
-    row(t.say(FACTS.stated), r.root[0], r.root[last], sigma),
-    row(
-      t.say(FACTS.error, { runs: String(r.runs.count) }),
-      mean_root(e2, 0),
-      mean_root(e2, last),
-      error_with_gain(s, K),
-    ),
+    row("√P (rad)", r.root[0], r.root[last], sigma),
   ];
   if (s.other) {
+    const error = t.say(FACTS.error, { runs: String(r.runs.count) });
+    rows.push(row(error, mean_root(e2, 0), mean_root(e2, last), error_with_gain(s, K)));
     rows.push(row(t.say(FACTS.optimum), mean_root(best2, 0), mean_root(best2, last), best_sigma));
   }
   return { head: ["", t.say(FACTS.first), t.say(FACTS.last), t.say(FACTS.steady)], rows };
@@ -206,7 +202,15 @@ export const flight = {
     { ...ANGLE, xlabel: "t (s)", height: 200, draw: drawAngle },
     { ...ERROR, xlabel: "t (s)", height: 200, draw: drawError },
     { ...GAIN, xlabel: "t (s)", height: 150, after: true, draw: drawGain },
-    { ...CONSISTENCY, xlabel: "t (s)", height: 170, after: true, ylog: true, draw: drawConsistency },
+    {
+      ...CONSISTENCY,
+      xlabel: "t (s)",
+      height: 170,
+      after: true,
+      ylog: true,
+      visible: (s) => s.other,
+      draw: drawConsistency,
+    },
   ],
   outcome,
   facts,

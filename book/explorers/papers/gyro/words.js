@@ -16,8 +16,8 @@ export const OUTCOME = {
       "The largest errors are {z} rad (measurement) and {x} rad (estimate).",
   },
   honest: {
-    id: "Dalam {runs} percobaan RMSE-nya {all} rad, rata-rata NEES {nees} dan NIS {nis}: seperti yang dinyatakan P.",
-    en: "Over {runs} experiments the RMSE is {all} rad, " + "mean NEES {nees} and NIS {nis}: as P states.",
+    id: "Dalam {runs} percobaan RMSE filter {all} rad, seperti yang dinyatakan P.",
+    en: "Over {runs} experiments the RMSE of the filter is {all} rad, as P states.",
   },
   sure: {
     id:
@@ -50,7 +50,6 @@ export const FACTS = {
   first: { id: "langkah pertama", en: "first step" },
   last: { id: "langkah terakhir", en: "last step" },
   steady: { id: "keadaan tunak", en: "steady state" },
-  stated: { id: "galat menurut filter, √P (rad)", en: "error as the filter states it, √P (rad)" },
   error: { id: "galat dalam {runs} percobaan (rad)", en: "error in {runs} experiments (rad)" },
   optimum: { id: "galat terbaik (rad)", en: "best error (rad)" },
 };
