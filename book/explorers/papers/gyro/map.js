@@ -69,7 +69,7 @@ function mapPlot(words, name, paths, where) {
     ...words,
     ...where,
     xlabel: "rad/s",
-    height: 280,
+    height: 260,
     xlog: true,
     ylog: true,
     drag: (x, y, s) => ({ times_w: inRange(x / s.sigma_w), times_v: inRange(y / s.sigma_v) }),

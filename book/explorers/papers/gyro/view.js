@@ -110,23 +110,27 @@ function verdictOn({ believed }, s, nees) {
   return nees < 0.9 ? OUTCOME.doubtful : OUTCOME.between;
 }
 
+/** What comes of a wrong belief; while the filter believes the truth there is nothing to compare. */
 function facts(r, s, t) {
+  if (!s.other) {
+    return { head: [], rows: [] };
+  }
   const [K, sigma] = steady(r.believed);
   const [, best_sigma] = steady(s);
   const last = r.T - 1;
-  const mean_root = (sums, k) => Math.sqrt(sums[k] / r.runs.count);
+  const { e2, best2, count } = r.runs;
+  const mean_root = (sums, k) => Math.sqrt(sums[k] / count);
   const row = (name, ...values) => [name, ...values.map((value) => t.decimal(value))];
-  const { e2, best2 } = r.runs;
-  const rows = [
-    row("K", r.filter.K[0], r.filter.K[last], K),
-    row("√P (rad)", r.root[0], r.root[last], sigma),
-  ];
-  if (s.other) {
-    const error = t.say(FACTS.error, { runs: String(r.runs.count) });
-    rows.push(row(error, mean_root(e2, 0), mean_root(e2, last), error_with_gain(s, K)));
-    rows.push(row(t.say(FACTS.optimum), mean_root(best2, 0), mean_root(best2, last), best_sigma));
-  }
-  return { head: ["", t.say(FACTS.first), t.say(FACTS.last), t.say(FACTS.steady)], rows };
+  const error = t.say(FACTS.error, { runs: String(count) });
+  return {
+    head: ["", t.say(FACTS.first), t.say(FACTS.last), t.say(FACTS.steady)],
+    rows: [
+      row("K", r.filter.K[0], r.filter.K[last], K),
+      row(t.say(FACTS.stated), r.root[0], r.root[last], sigma),
+      row(error, mean_root(e2, 0), mean_root(e2, last), error_with_gain(s, K)),
+      row(t.say(FACTS.optimum), mean_root(best2, 0), mean_root(best2, last), best_sigma),
+    ],
+  };
 }
 
 const HEAD = [

@@ -50,6 +50,7 @@ export const FACTS = {
   first: { id: "langkah pertama", en: "first step" },
   last: { id: "langkah terakhir", en: "last step" },
   steady: { id: "keadaan tunak", en: "steady state" },
+  stated: { id: "√P, galat menurut filter (rad)", en: "√P, the error as the filter states it (rad)" },
   error: { id: "galat dalam {runs} percobaan (rad)", en: "error in {runs} experiments (rad)" },
   optimum: { id: "galat terbaik (rad)", en: "best error (rad)" },
 };
