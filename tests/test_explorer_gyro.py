@@ -103,3 +103,23 @@ def test_gyro_the_numbers_of_a_map_do_not_touch_and_the_truth_stands_above_the_b
     for i, (x, y, width) in enumerate(boxes):
         for a, b, other in boxes[:i]:
             assert abs(x - a) >= (width + other) / 2 or abs(y - b) >= 12
+
+
+def test_gyro_a_belief_that_comes_later_is_the_filters_own(site, opened):
+    """First drawn without another belief, then with one: the optimum is another filter."""
+    page, *_ = explorer_of("gyro", site, opened, "en")
+    element = page.locator("kalman-explorer[paper=gyro]:not([view])")
+    assert not element.evaluate("e => e.explorer.s.other")
+    set_state(element, other=True, believed_w=1)
+    page.wait_for_function(
+        "e => e.explorer.r.runs.count === 500 && !e.explorer.work", arg=element.element_handle()
+    )
+    shown(element)
+    gains = element.evaluate("""e => [e.explorer.r.filter, e.explorer.r.optimum]
+      .map(filter => filter.K.at(-1))""")
+    believed, true = gyro.Params(sigma_w=1), gyro.Params()
+    assert gains == [pytest.approx(gyro.steady(p)[0], rel=0.2) for p in (believed, true)]
+    assert "too confident" in element.locator(".explorer-outcome").inner_text()
+    best = element.locator(".explorer-facts tr").last.locator("td").all_inner_texts()
+    assert float(best[1]) == pytest.approx(gyro.steady(true)[1], rel=0.1)
+    element.evaluate("e => e.explorer.reset()")
