@@ -37,7 +37,7 @@ def test_gyro_the_map_of_a_wrong_sigma_is_pythons(changes, site, opened):
     said = [
         float(word)
         for word in re.findall(
-            r"runs.*RMSE ([\d.]+) rad, NEES ([\d.]+)\.$",
+            r"experiments.*RMSE ([\d.]+) rad, NEES ([\d.]+)\.$",
             element.locator(".explorer-outcome").inner_text(),
         )[0]
     ]
@@ -99,4 +99,64 @@ def test_gyro_a_finger_drags_the_belief_upwards_and_scrolls_beside_it(site, open
     swipe(x - 90, y + 30, 60)  # beside the mark
     page.wait_for_function("before => scrollY > before", arg=scrolled)
     assert element.evaluate("e => JSON.stringify(e.explorer.s)") == before
+    element.evaluate("e => e.explorer.reset()")
+
+
+def test_gyro_nothing_is_asked_before_its_rule_stands_on_the_page(site, opened):
+    """The first view asks nothing; the simulation asks for sigma_w sqrt(T t), too."""
+    page, *_ = explorer_of("gyro", site, opened, "en")
+    first = page.locator("kalman-explorer[view=drift]")
+    assert first.evaluate("e => e.explorer.view.question === undefined")
+    assert first.locator("form").count() == 0
+    element = page.locator("kalman-explorer[paper=gyro]:not([view])")
+    set_state(element, sigma_w=0.5, T=0.2, duration=30)
+    answers = element.evaluate("""e => {
+      const { view, r, s, t } = e.explorer;
+      return [...Array(5).keys()].map(kind => {
+        const { text, answer } = view.question(r, s, t, { whole: () => kind });
+        return text.startsWith("The gyroscope alone") ? answer : null;
+      }).filter(answer => answer !== null);
+    }""")
+    assert answers == [pytest.approx(0.5 * np.sqrt(0.2 * 30))]
+    element.evaluate("e => e.explorer.reset()")
+
+
+def test_gyro_the_numbers_of_a_map_do_not_touch_and_the_truth_stands_above_the_belief(site, opened):
+    page, *_ = explorer_of("gyro", site, opened, "id")
+    element = page.locator("kalman-explorer[view=mismatch]")
+    shown(element)
+    boxes, order = element.evaluate("""e => {
+      const { plots, r, s, t } = e.explorer;
+      const boxes = [], ctx = new Proxy({}, { set: () => true, get: (_, name) =>
+        name === "fillText" ? (text, x, y) => boxes.push([x, y, 6.5 * text.length]) : () => {} });
+      const { layers, xlim, ylim } = plots[0].spec.draw(r, s, t);
+      const box = plots[0].canvas.getBoundingClientRect();
+      const scale = ([a, b], size) => v => size * Math.log(v / a) / Math.log(b / a);
+      layers.find(layer => layer.paint).paint(ctx, scale(xlim, box.width - 60),
+        scale(ylim, box.height - 45), { font: "sans-serif" });
+      return [boxes, layers.map(layer => layer.look)];
+    }""")
+    assert len(boxes) >= 6 and order.index("truth") > order.index("measurement")
+    for i, (x, y, width) in enumerate(boxes):
+        for a, b, other in boxes[:i]:
+            assert abs(x - a) >= (width + other) / 2 or abs(y - b) >= 12
+
+
+def test_gyro_a_belief_that_comes_later_is_the_filters_own(site, opened):
+    """First drawn without another belief, then with one: the optimum is another filter."""
+    page, *_ = explorer_of("gyro", site, opened, "en")
+    element = page.locator("kalman-explorer[paper=gyro]:not([view])")
+    assert not element.evaluate("e => e.explorer.s.other")
+    set_state(element, other=True, believed_w=1)
+    page.wait_for_function(
+        "e => e.explorer.r.runs.count === 500 && !e.explorer.work", arg=element.element_handle()
+    )
+    shown(element)
+    gains = element.evaluate("""e => [e.explorer.r.filter, e.explorer.r.optimum]
+      .map(filter => filter.K.at(-1))""")
+    believed, true = gyro.Params(sigma_w=1), gyro.Params()
+    assert gains == [pytest.approx(gyro.steady(p)[0], rel=0.2) for p in (believed, true)]
+    assert "too confident" in element.locator(".explorer-outcome").inner_text()
+    best = element.locator(".explorer-facts tr").last.locator("td").all_inner_texts()
+    assert float(best[1]) == pytest.approx(gyro.steady(true)[1], rel=0.1)
     element.evaluate("e => e.explorer.reset()")

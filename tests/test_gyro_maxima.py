@@ -6,7 +6,7 @@ from math import erf, sqrt
 import numpy as np
 import pytest
 
-from kalman_lib import kalman_filter
+from kalman_lib import kalman_filter, plots
 from kalman_lib.papers import gyro
 
 PAPER = {4: (10, 10, 28, 6), 5: (10, 1, 3.2, 2.3), 6: (1, 10, 23, 2), 7: (1, 1, 3, 0.8)}
@@ -78,3 +78,13 @@ def test_every_printed_maximum_stands_beside_its_runs(largest):
     assert list(rows)[:3] == ["4 $z$", "4 $x$", "5 $z$"] and len(rows) == 8
     assert [value for _, value in rows.values()] == printed
     assert np.array_equal(rows["6 $x$"][0], largest[6][1])
+
+
+def test_the_figure_has_numbers_between_the_powers_of_ten(largest):
+    figure = plots.intervals(gyro.beside_printed(largest), "rad")
+    (ax,) = figure.axes
+    figure.canvas.draw()
+    low, high = ax.get_xlim()
+    ticks = [tick for tick in ax.get_xticks() if low <= tick <= high]
+    assert ticks == pytest.approx([0.5, 1, 2, 5, 10, 20, 50])
+    assert {label.get_fontsize() for label in ax.get_yticklabels()} == {12}

@@ -20,7 +20,10 @@ PRINTED = {4: "28 6", 5: "3.2 2.3", 6: "23 2", 7: "3 0.8"}
 
 @dataclass(frozen=True)
 class Params:
-    """The two noises are those of the paper's four figures, see CASES."""
+    """The two noises are those of the paper's four figures, see CASES.
+
+    The process noise w of a step is T times the noise of the rate: its deviation is sigma_w T.
+    """
 
     # fmt: off
     duration: float = param(
@@ -33,7 +36,7 @@ class Params:
     )
     sigma_w: float = param(
         10, min=1e-4, max=100, step=0.1, unit="rad/s", log=True,
-        id="simpangan baku derau proses", en="standard deviation of the process noise",
+        id="simpangan baku derau kecepatan sudut", en="standard deviation of the rate noise",
     )
     sigma_v: float = param(
         10, min=1e-4, max=100, step=0.1, unit="rad", log=True,
@@ -122,7 +125,7 @@ def table(own, largest):
 
     own: {figure: (2,)}, largest: {figure: (2, runs)}.
     """
-    lines = [f"{'a':>11}{'b':>7}{'95 %':>10}{'p':>9}"]
+    lines = [f"{'a':>11}{'b':>7}{'95%':>10}{'p':>9}"]
     for figure, rank in ranks(largest).items():
         rows = zip("zx", PRINTED[figure].split(), own[figure], largest[figure], rank)
         for letter, printed, ours, sample, r in rows:

@@ -1,10 +1,11 @@
 """Curves of one variable: functions, bell curves, histograms of simulated values."""
 
 import numpy as np
+from matplotlib.ticker import LogLocator
 
 from .figure import new_figure
 from .marks import add_points
-from .styles import BAND, ESTIMATE, MEASUREMENT, PALE, PREDICTION, RIVAL, TRUTH
+from .styles import BAND, ESTIMATE, INK, MEASUREMENT, PALE, PREDICTION, RIVAL, TRUTH
 
 ROW_HEIGHT = 0.62  # of the highest bar of a histogram; the rows are 1 apart
 
@@ -59,8 +60,9 @@ def intervals(samples, xlabel, height=4.2):
         rows = len(samples)
         ax.set(xscale="log", ylim=(rows - 0.4, -0.7))
         ax.set(yticks=range(rows), yticklabels=list(samples))
-        ax.tick_params(axis="y", length=0)
+        ax.tick_params(axis="y", length=0, labelsize=12, labelcolor=INK)
         ax.grid(False, axis="y")
+        ax.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
         ax.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
     return figure
 
@@ -84,5 +86,5 @@ def _draw_middle(ax, row, values):
             color=ESTIMATE["color"],
             linewidth=width,
             solid_capstyle="butt",
-            label=None if row else f"{probability} %",
+            label=None if row else f"{probability}%",
         )

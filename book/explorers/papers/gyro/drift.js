@@ -2,7 +2,6 @@
 // degrees: the filter does not mind, as long as all its numbers have the same unit.
 import { generator } from "../../numerics/random.js";
 import { run } from "./model.js";
-import { driftQuestion } from "./questions.js";
 import { DRIFT, LABELS, NAMES } from "./words.js";
 
 const T = 0.1; // s
@@ -136,5 +135,4 @@ export const drift = {
   plots: [{ title: DRIFT.title, alt: DRIFT.alt, xlabel: "t (s)", height: 240, draw, drag }],
   outcome,
   numbers,
-  question: driftQuestion,
 };

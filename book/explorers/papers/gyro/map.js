@@ -9,7 +9,7 @@ const LEVELS = { cost: [1.1, 1.3, 1.6, 2, 2.5, 3], nees: [0.03, 0.1, 0.3, 1, 3, 
 const CELLS = Array.from({ length: 2 * HALF + 1 }, (_, k) => k - HALF);
 const LEAST = 0.1; // a sigma is believed a tenth to ten times the true one
 const MOST = 10;
-const APART = 14; // pixels between two numbers on a map
+const APART = 24; // pixels between two numbers on a map
 const LEVEL_FONT = 12;
 
 /** How many times the true sigma is believed in cell i = -HALF ... HALF. */
@@ -70,7 +70,7 @@ function mapPlot(words, name, paths, where) {
     ...words,
     ...where,
     xlabel: "rad/s",
-    height: 220,
+    height: 260,
     xlog: true,
     ylog: true,
     handles: (r, s) => [believed(s)],
@@ -90,8 +90,8 @@ function mapPlot(words, name, paths, where) {
         ylim: ends.map(sigma_v),
         layers: [
           { look: "estimate", paint },
-          { look: "truth", mark: [s.sigma_w, s.sigma_v], sign: "+", label: LABELS.truth },
           { look: "measurement", mark: believed(s), label: LABELS.belief },
+          { look: "truth", mark: [s.sigma_w, s.sigma_v], sign: "+", label: LABELS.truth }, // above the dot
         ],
       };
     },
@@ -223,6 +223,8 @@ function beliefButton(words, times_w, times_v) {
   return { ...words, set: { times_w, times_v }, pressed };
 }
 
+const never = () => false; // Python and a link may set these; the reader has enough to move
+
 const times = { min: LEAST, max: MOST, step: 0.1, log: true, default: 1, unit: "" };
 
 export const mismatch = {
@@ -243,8 +245,8 @@ export const mismatch = {
     { ...times, name: "times_v", symbol: "c_v", ...CONTROLS.times_v },
     { name: "sigma_w", symbol: "σ_w" },
     { name: "sigma_v", symbol: "σ_v" },
-    { name: "duration", symbol: "t" },
-    { name: "T", symbol: "T" },
+    { name: "duration", symbol: "t", visible: never },
+    { name: "T", symbol: "T", visible: never },
   ],
   compute: compare,
   refine: manyRuns,

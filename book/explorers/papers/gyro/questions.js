@@ -1,6 +1,7 @@
 // The hand checks of chapter 3: questions about the first steps, and about a filter that believes wrong
 // sigmas.
 import { ask, isNear } from "../../language/question.js";
+import { steps } from "./model.js";
 
 const NEAR = 0.02; // so near to a wrong answer, and we know the mistake
 
@@ -16,14 +17,15 @@ export function question(r, s, t, random) {
     x: r.filter.x[0],
     P: r.filter.P[0],
   };
-  const shown = { w: p.sigma_w, v: p.sigma_v, T: p.T, pred: step.x_pred, ...step };
+  const shown = { w: p.sigma_w, v: p.sigma_v, T: p.T, pred: step.x_pred, true_w: s.sigma_w, ...step };
   const given = {};
-  for (const name of ["w", "v", "T", "z", "pred", "K", "R", "Q", "P"]) {
+  for (const name of ["w", "v", "T", "z", "pred", "K", "R", "Q", "P", "true_w"]) {
     given[name] = t.decimal(shown[name], 4);
   }
-  const kinds = [aboutGain, aboutUpdate, aboutPrediction, aboutVariance];
+  given.k = String(steps(s));
+  const kinds = [aboutGain, aboutUpdate, aboutPrediction, aboutVariance, aboutDrift];
   const kind = kinds[random.whole(kinds.length)];
-  return ask(kind(step), given, t);
+  return ask(kind(step, s), given, t);
 }
 
 function aboutGain({ p, Q, R }) {
@@ -126,6 +128,43 @@ function aboutVariance({ K, R }) {
   };
 }
 
+/** Without the angle sensor: the standard deviation after all steps. */
+function aboutDrift(step, s) {
+  const variance = steps(s) * (s.sigma_w * s.T) ** 2;
+  return {
+    text: {
+      id:
+        "Giroskop saja, tanpa sensor sudut: σ_w = {true_w} rad/s, T = {T} s. " +
+        "Pada awalnya sudut diketahui. Berapa simpangan bakunya (rad) setelah {k} langkah?",
+      en:
+        "The gyroscope alone, without the angle sensor: σ_w = {true_w} rad/s, T = {T} s. " +
+        "At first the angle is known. What is its standard deviation (rad) after {k} steps?",
+    },
+    answer: Math.sqrt(variance),
+    tolerance: 0.02,
+    hint: (value) => driftHint(value, variance, s),
+  };
+}
+
+function driftHint(value, variance, s) {
+  if (isNear(value, variance, NEAR) || isNear(value, steps(s) * s.sigma_w * s.T, NEAR)) {
+    return {
+      id: "Varianslah yang dijumlahkan; simpangan baku adalah akar jumlah itu.",
+      en: "It is the variances that add up; the standard deviation is the root of that sum.",
+    };
+  }
+  if (isNear(value, s.sigma_w * Math.sqrt(steps(s)), NEAR)) {
+    return {
+      id: "Jangan lupa T: satu langkah menggeser sudut sebesar σ_w T.",
+      en: "Do not forget T: a step moves the angle by σ_w T.",
+    };
+  }
+  return {
+    id: "Varians satu langkah (σ_w T)². Kalikan dengan {k} langkah, lalu ambil akarnya.",
+    en: "One step has the variance (σ_w T)². Multiply by {k} steps, then take the root.",
+  };
+}
+
 // --- about the map -----------------------------------------------------------------------------------------
 
 const BOTH_TIMES = [0.2, 0.5, 2, 5]; // both sigmas wrong by the same factor
@@ -149,7 +188,7 @@ function aboutNees({ c }) {
   return {
     text: {
       id:
-        "Sebuah filter percaya {c} σ_w dan {c} σ_v. Dengan pasangan yang benar NEES-nya 1. " +
+        "Sebuah filter mengira {c} σ_w dan {c} σ_v. Dengan pasangan yang benar NEES-nya 1. " +
         "Berapa NEES-nya sekarang?",
       en: "A filter believes {c} σ_w and {c} σ_v. With the true pair its NEES is 1. What is it now?",
     },
@@ -179,7 +218,7 @@ function aboutRatio({ ratio, q }) {
   return {
     text: {
       id:
-        "Sebuah filter percaya {w} σ_w dan {v} σ_v. Dengan yang benar q = Q/R = {q}. " +
+        "Sebuah filter mengira {w} σ_w dan {v} σ_v. Dengan yang benar q = Q/R = {q}. " +
         "Berapa q menurut filter itu?",
       en: "A filter believes {w} σ_w and {v} σ_v. The true q = Q/R is {q}. What is q as the filter has it?",
     },
@@ -197,52 +236,5 @@ function aboutRatio({ ratio, q }) {
         en: "q = (σ_w T)² / σ_v²: multiply by ({w} / {v})².",
       };
     },
-  };
-}
-
-// --- about a gyroscope at rest -----------------------------------------------------------------------------
-
-const AFTER = [5, 10, 20, 30, 40, 50, 90, 120]; // s
-const DRIFT_T = 0.1; // s
-
-export function driftQuestion(r, s, t, random) {
-  const after = AFTER[random.whole(AFTER.length)];
-  const w = s.noise_w;
-  const given = { w: t.decimal(w), t: String(after), T: t.decimal(DRIFT_T), k: String(after / DRIFT_T) };
-  const drifted = {
-    text: {
-      id:
-        "Giroskop saja, σ_w = {w} °/s, T = {T} s. Berapa simpangan baku sudutnya (°) setelah {t} s? " +
-        "Pada awalnya sudut itu diketahui.",
-      en:
-        "The gyroscope alone, σ_w = {w} °/s, T = {T} s. What is the standard deviation of its angle (°) " +
-        "after {t} s? At first the angle is known.",
-    },
-    answer: w * Math.sqrt(DRIFT_T * after),
-    tolerance: 0.02,
-    hint: (value) => driftHint(value, w, after),
-  };
-  return ask(drifted, given, t);
-}
-
-function driftHint(value, w, after) {
-  if (isNear(value, w * after, NEAR)) {
-    return {
-      id: "Itu simpangan bakunya yang dijumlahkan. Yang dijumlahkan adalah variansnya.",
-      en: "That adds the standard deviations. It is the variances that add up.",
-    };
-  }
-  if (isNear(value, w * Math.sqrt(after), NEAR)) {
-    return {
-      id: "Periksa banyaknya langkah: dalam {t} s ada {k} langkah, masing-masing σ_w T.",
-      en: "Check the number of steps: {t} s are {k} steps, each of σ_w T.",
-    };
-  }
-  if (isNear(value, w * w * DRIFT_T * after, NEAR)) {
-    return { id: "Itu variansnya. Tinggal akarnya.", en: "That is the variance. Take its root." };
-  }
-  return {
-    id: "Varians satu langkah (σ_w T)². Kalikan dengan {k} langkah, lalu ambil akarnya.",
-    en: "One step has the variance (σ_w T)². Multiply by {k} steps, then take the root.",
   };
 }

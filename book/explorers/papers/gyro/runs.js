@@ -14,8 +14,11 @@ export function compute(s, memo) {
   const flight = simulate(s, generator(s.seed));
   const { T } = flight;
   memo.filter = run(believed, flight, memo.filter);
-  memo.optimum = s.other ? run(s, flight, memo.optimum) : memo.filter;
-  const { filter, optimum } = memo;
+  const { filter } = memo;
+  if (s.other) {
+    memo.optimum = run(s, flight, memo.optimum); // never into the arrays of the filter
+  }
+  const optimum = s.other ? memo.optimum : filter;
   if (memo.t?.length !== T) {
     for (const name of [...OVER_TIME, ...OF_RUNS, ...SHOWN_OF_RUNS]) {
       memo[name] = new Float64Array(T);

@@ -30,7 +30,7 @@ function drawAngle(r) {
 function drawError(r) {
   const { spread: high, minus: low } = spread(r);
   const { count } = r.runs;
-  const of_runs = { id: `±2σ dari ${count} percobaan`, en: `±2σ of ${count} runs` };
+  const of_runs = { id: `±2σ dari ${count} percobaan`, en: `±2σ of ${count} experiments` };
   return {
     xlim: timeSpan(r),
     layers: [
@@ -110,19 +110,24 @@ function verdictOn({ believed }, s, nees) {
   return nees < 0.9 ? OUTCOME.doubtful : OUTCOME.between;
 }
 
+/** What comes of a wrong belief; while the filter believes the truth there is nothing to compare. */
 function facts(r, s, t) {
+  if (!s.other) {
+    return { head: [], rows: [] };
+  }
   const [K, sigma] = steady(r.believed);
   const [, best_sigma] = steady(s);
   const last = r.T - 1;
-  const mean_root = (sums, k) => Math.sqrt(sums[k] / r.runs.count);
+  const { e2, best2, count } = r.runs;
+  const mean_root = (sums, k) => Math.sqrt(sums[k] / count);
   const row = (name, ...values) => [name, ...values.map((value) => t.decimal(value))];
-  const { e2, best2 } = r.runs;
+  const error = t.say(FACTS.error, { runs: String(count) });
   return {
     head: ["", t.say(FACTS.first), t.say(FACTS.last), t.say(FACTS.steady)],
     rows: [
       row("K", r.filter.K[0], r.filter.K[last], K),
-      row("√P (rad)", r.root[0], r.root[last], sigma),
-      row(t.say(FACTS.error), mean_root(e2, 0), mean_root(e2, last), error_with_gain(s, K)),
+      row(t.say(FACTS.stated), r.root[0], r.root[last], sigma),
+      row(error, mean_root(e2, 0), mean_root(e2, last), error_with_gain(s, K)),
       row(t.say(FACTS.optimum), mean_root(best2, 0), mean_root(best2, last), best_sigma),
     ],
   };
@@ -201,7 +206,15 @@ export const flight = {
     { ...ANGLE, xlabel: "t (s)", height: 200, draw: drawAngle },
     { ...ERROR, xlabel: "t (s)", height: 200, draw: drawError },
     { ...GAIN, xlabel: "t (s)", height: 150, after: true, draw: drawGain },
-    { ...CONSISTENCY, xlabel: "t (s)", height: 170, after: true, ylog: true, draw: drawConsistency },
+    {
+      ...CONSISTENCY,
+      xlabel: "t (s)",
+      height: 170,
+      after: true,
+      ylog: true,
+      visible: (s) => s.other,
+      draw: drawConsistency,
+    },
   ],
   outcome,
   facts,

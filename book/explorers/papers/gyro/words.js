@@ -9,38 +9,38 @@ export const NAMES = {
 export const OUTCOME = {
   run: {
     id:
-      "Pada percobaan ini RMSE sensor {sensor} rad dan RMSE filter {rmse} rad; " +
-      "galat terbesarnya {z} rad (pengukuran) dan {x} rad (estimasi).",
+      "Pada percobaan ini RMSE sensor {sensor} rad dan RMSE filter {rmse} rad. " +
+      "Galat terbesarnya {z} rad (pengukuran) dan {x} rad (estimasi).",
     en:
-      "In this run the RMSE of the sensor is {sensor} rad and that of the filter {rmse} rad; " +
-      "the largest errors are {z} rad (measurement) and {x} rad (estimate).",
+      "In this experiment the RMSE of the sensor is {sensor} rad and that of the filter {rmse} rad. " +
+      "The largest errors are {z} rad (measurement) and {x} rad (estimate).",
   },
   honest: {
-    id: "Dalam {runs} percobaan RMSE-nya {all} rad, rata-rata NEES {nees} dan NIS {nis}: sesuai dengan P.",
-    en: "Over {runs} runs the RMSE is {all} rad, mean NEES {nees} and NIS {nis}: as P says.",
+    id: "Dalam {runs} percobaan RMSE filter {all} rad, seperti yang dinyatakan P.",
+    en: "Over {runs} experiments the RMSE of the filter is {all} rad, as P states.",
   },
   sure: {
     id:
-      "Dalam {runs} percobaan RMSE-nya {all} rad (optimum {best} rad), " +
+      "Dalam {runs} percobaan RMSE-nya {all} rad (yang terbaik {best} rad), " +
       "rata-rata NEES {nees} dan NIS {nis}: filter terlalu yakin, P-nya terlalu kecil.",
     en:
-      "Over {runs} runs the RMSE is {all} rad (optimum {best} rad), " +
-      "mean NEES {nees} and NIS {nis}: the filter is overconfident, its P is too small.",
+      "Over {runs} experiments the RMSE is {all} rad (at best {best} rad), " +
+      "mean NEES {nees} and NIS {nis}: the filter is too confident, its P is too small.",
   },
   doubtful: {
     id:
-      "Dalam {runs} percobaan RMSE-nya {all} rad (optimum {best} rad), " +
-      "rata-rata NEES {nees} dan NIS {nis}: filter terlalu ragu, P-nya terlalu besar.",
+      "Dalam {runs} percobaan RMSE-nya {all} rad (yang terbaik {best} rad), " +
+      "rata-rata NEES {nees} dan NIS {nis}: filter terlalu hati-hati, P-nya terlalu besar.",
     en:
-      "Over {runs} runs the RMSE is {all} rad (optimum {best} rad), " +
-      "mean NEES {nees} and NIS {nis}: the filter is too doubtful, its P is too large.",
+      "Over {runs} experiments the RMSE is {all} rad (at best {best} rad), " +
+      "mean NEES {nees} and NIS {nis}: the filter is too cautious, its P is too large.",
   },
   between: {
     id:
-      "Dalam {runs} percobaan RMSE-nya {all} rad (optimum {best} rad), " +
-      "rata-rata NEES {nees} dan NIS {nis}: P kira-kira tepat, walaupun sigma yang dipercayai filter salah.",
+      "Dalam {runs} percobaan RMSE-nya {all} rad (yang terbaik {best} rad), " +
+      "rata-rata NEES {nees} dan NIS {nis}: P kira-kira tepat, walaupun sigma menurut filter salah.",
     en:
-      "Over {runs} runs the RMSE is {all} rad (optimum {best} rad), " +
+      "Over {runs} experiments the RMSE is {all} rad (at best {best} rad), " +
       "mean NEES {nees} and NIS {nis}: P is about right although the believed sigmas are wrong.",
   },
   seed: { id: "Data sintetis (benih acak {seed}).", en: "Synthetic data (random seed {seed})." },
@@ -50,13 +50,14 @@ export const FACTS = {
   first: { id: "langkah pertama", en: "first step" },
   last: { id: "langkah terakhir", en: "last step" },
   steady: { id: "keadaan tunak", en: "steady state" },
-  error: { id: "galat sebenarnya (rad)", en: "true error (rad)" },
-  optimum: { id: "optimum (rad)", en: "optimum (rad)" },
+  stated: { id: "√P, galat menurut filter (rad)", en: "√P, the error as the filter states it (rad)" },
+  error: { id: "galat dalam {runs} percobaan (rad)", en: "error in {runs} experiments (rad)" },
+  optimum: { id: "galat terbaik (rad)", en: "best error (rad)" },
 };
 
 export const CONTROLS = {
-  mems: { id: "Giroskop MEMS", en: "MEMS gyroscope" },
-  other: { id: "filter percaya pada sigma yang lain", en: "the filter believes another sigma" },
+  mems: { id: "Giroskop di cip", en: "Gyroscope on a chip" },
+  other: { id: "filter mengira sigma yang lain", en: "the filter believes another sigma" },
   believed: { id: "menurut filter", en: "as the filter believes" },
   w_tenth: { id: "σ_w sepersepuluh", en: "σ_w a tenth" },
   w_ten: { id: "σ_w 10 kali", en: "σ_w 10 times" },
@@ -93,7 +94,7 @@ export const ERROR = {
     en:
       "Plot of the errors against time: of the measurement, of the estimate, " +
       "the band that the filter states, " +
-      "and the band of many runs.",
+      "and the band of many experiments.",
   },
 };
 
@@ -108,18 +109,18 @@ export const GAIN = {
 export const CONSISTENCY = {
   title: { id: "Konsistensi", en: "Consistency" },
   alt: {
-    id: "Grafik rata-rata NEES dan NIS dari semua percobaan terhadap waktu, dengan pita 95 % khi-kuadrat.",
-    en: "Plot of the mean NEES and NIS of all runs against time, with the 95 % chi-square band.",
+    id: "Grafik rata-rata NEES dan NIS dari semua percobaan terhadap waktu, dengan pita 95% khi-kuadrat.",
+    en: "Plot of the mean NEES and NIS of all experiments against time, with the 95% chi-square band.",
   },
 };
 
 export const LABELS = {
   steady: { id: "tunak", en: "steady" },
-  chi_square: { id: "95 % khi-kuadrat", en: "95 % chi-square" },
+  chi_square: { id: "selang 95% khi-kuadrat", en: "95% chi-square interval" },
   alone: { id: "giroskop saja", en: "gyroscope alone" },
   others: { id: "11 giroskop lain", en: "11 other gyroscopes" },
   truth: { id: "yang benar", en: "the truth" },
-  belief: { id: "yang dipercayai filter", en: "what the filter believes" },
+  belief: { id: "menurut filter", en: "as the filter believes" },
 };
 
 // --- a gyroscope at rest -----------------------------------------------------------------------------------
@@ -160,7 +161,7 @@ export const DRIFT = {
 export const VERDICT = {
   map: {
     id:
-      "Filter percaya σ_w = {w} rad/s dan σ_v = {v} rad, padahal yang benar {true_w} dan {true_v}. " +
+      "Filter mengira σ_w = {w} rad/s dan σ_v = {v} rad, padahal yang benar {true_w} dan {true_v}. " +
       "RMSE-nya {rmse} rad, {cost} kali yang terbaik ({best} rad), dan NEES-nya {nees}: {word}.",
     en:
       "The filter believes σ_w = {w} rad/s and σ_v = {v} rad; the truth is {true_w} and {true_v}. " +
@@ -168,10 +169,10 @@ export const VERDICT = {
   },
   runs: {
     id: "Dari {runs} percobaan sintetis (benih acak {seed}): RMSE {all} rad, NEES {mean}.",
-    en: "From {runs} synthetic runs (random seed {seed}): RMSE {all} rad, NEES {mean}.",
+    en: "From {runs} synthetic experiments (random seed {seed}): RMSE {all} rad, NEES {mean}.",
   },
-  sure: { id: "terlalu yakin", en: "too sure" },
-  doubtful: { id: "terlalu ragu", en: "too doubtful" },
+  sure: { id: "terlalu yakin", en: "too confident" },
+  doubtful: { id: "terlalu hati-hati", en: "too cautious" },
   honest: { id: "P-nya jujur", en: "its P is honest" },
 };
 
@@ -181,7 +182,7 @@ export const COST_MAP = {
     en: "RMSE / best: σ_w across, σ_v (rad) upwards",
   },
   alt: {
-    id: "Peta RMSE relatif: lembah lurus sejajar diagonal, naik ke sudut kiri atas dan kanan bawah.",
+    id: "Peta RMSE relatif: lembah lurus sejajar diagonal, naik ke pojok kiri atas dan kanan bawah.",
     en:
       "Map of the relative RMSE: a straight valley along the diagonal, " +
       "rising to the top left and bottom right corners.",
@@ -191,7 +192,7 @@ export const COST_MAP = {
 export const NEES_MAP = {
   title: { id: "NEES: σ_w mendatar, σ_v (rad) tegak", en: "NEES: σ_w across, σ_v (rad) upwards" },
   alt: {
-    id: "Peta rata-rata NEES: besar di kiri dan di bawah, kecil di sudut kanan atas.",
+    id: "Peta rata-rata NEES: besar di kiri dan di bawah, kecil di pojok kanan atas.",
     en: "Map of the mean NEES: large at the left and at the bottom, small in the top right corner.",
   },
 };
