@@ -45,8 +45,8 @@ function drawPlane(r) {
     ylim: [-REACH, REACH],
     layers: [
       ...circle(true),
+      ...marks(r.poles, "estimate", LABELS.with_noise, "o"),
       ...marks(r.still_poles, "truth", LABELS.still, "+"),
-      ...marks(r.poles, "estimate", LABELS.with_noise),
     ],
   };
 }

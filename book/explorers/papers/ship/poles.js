@@ -1,4 +1,4 @@
-// The first explorer of chapter 4: a pair of poles by hand, and how their model prolongs two speeds.
+// The first explorer of chapter 4: a pair of poles by hand, and how their model continues two speeds.
 import { poles } from "./model.js";
 import { circle, marks, polesText } from "./plane.js";
 import { aboutForecast } from "./questions.js";
