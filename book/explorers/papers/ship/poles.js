@@ -143,8 +143,8 @@ export const by_hand = {
   ],
   compute,
   plots: [
-    { ...HAND_POLES, bare: true, height: 240, equal: true, drag: dragPole, draw: drawPlane },
-    { ...CONTINUED, xlabel: "k", height: 200, draw: drawForecast },
+    { ...HAND_POLES, bare: true, height: 220, equal: true, drag: dragPole, draw: drawPlane },
+    { ...CONTINUED, xlabel: "k", height: 180, draw: drawForecast },
   ],
   outcome,
   equations,

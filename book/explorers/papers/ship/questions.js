@@ -70,7 +70,7 @@ const NEXT = {
   without_c: {
     id:
       "a₁ = {a1}, a₂ = {a2}; kecepatan terakhir {last} m/s, sebelumnya {before} m/s. " +
-      "Berapa yang berikutnya (m/s, tiga angka penting)?",
+      "Berikutnya (m/s, tiga angka penting)?",
     en:
       "a₁ = {a1}, a₂ = {a2}; the last speed {last} m/s, the one before {before} m/s. " +
       "What is next (m/s, three significant digits)?",
@@ -78,10 +78,10 @@ const NEXT = {
   with_c: {
     id:
       "c = {c} m/s, a₁ = {a1}, a₂ = {a2}; kecepatan terakhir {last} m/s, sebelumnya {before} m/s. " +
-      "Berapa ramalan berikutnya (m/s, tiga angka penting)?",
+      "Berikutnya (m/s, tiga angka penting)?",
     en:
       "c = {c} m/s, a₁ = {a1}, a₂ = {a2}; last speed {last} m/s, the one before {before} m/s. " +
-      "What is the next forecast (m/s, three significant digits)?",
+      "What is next (m/s, three significant digits)?",
   },
 };
 const SWAPPED = {
