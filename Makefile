@@ -24,7 +24,7 @@ watch: $(BUNDLE) ## build one page whenever it is saved: make watch PAGE=noteboo
 
 test: lint $(BUNDLE) ## lint, run every test, then every notebook again, comparing its stored outputs
 	$(PY) -m pytest $(SIDE_BY_SIDE) tests
-	$(PY) -m pytest $(SIDE_BY_SIDE) --nbval notebooks
+	$(PY) -m pytest $(SIDE_BY_SIDE) -p no:randomly --nbval notebooks
 
 lab: $(BUNDLE) ## open the notebooks in JupyterLab
 	$(PY) -m jupyterlab --notebook-dir=notebooks
@@ -65,7 +65,7 @@ format-js: $(VENV)/.npm ## let Prettier break the lines of JavaScript and style 
 outputs: $(BUNDLE) ## run the notebooks and store their outputs
 	$(PY) book/store_outputs.py
 
-lists: $(VENV)/.installed ## write the list of chapters in README.md again
+lists: $(VENV)/.installed ## write the lists of chapters and the glossary again
 	$(PY) book/_make/lists.py
 
 lock: $(VENV)/.installed ## write requirements.lock again from requirements.txt

@@ -43,7 +43,11 @@ def run(copy, *arguments):
 
 
 def pytest_in(copy, *arguments):
-    return run(copy, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", *arguments)
+    """A notebook is run from the top, also where pytest-randomly is installed."""
+    without = [
+        part for name in ("cacheprovider", "xdist", "randomly") for part in ("-p", f"no:{name}")
+    ]
+    return run(copy, "-m", "pytest", "-q", *without, *arguments)
 
 
 def add_the_toy(copy):
@@ -82,6 +86,7 @@ def test_no_other_file_had_to_change(copy):
 
 def test_the_rules_of_the_house_hold(copy):
     rules = ("test_lists", "test_imports", "test_house", "test_notebooks", "test_exercises")
+    rules += ("test_terms", "test_letters")
     pytest_in(copy, "tests/test_toy.py", *(f"tests/{name}.py" for name in rules))
 
 

@@ -1,8 +1,10 @@
-"""The lists that name every chapter, in README.md and book/intro.md: python book/_make/lists.py.
+"""The lists that make lists writes: chapters in README.md and book/intro.md, glossary, notation.
 
 The order is that of _toc.yml, the titles are the first headings of the chapters, and the sentence
 about a chapter stands in the metadata of its notebook: {"book": {"sentence": {"id": ..., "en":
 ...}}}. The errata, with more to say, are written by hand; tests/test_lists.py names what they miss.
+The glossary comes from book/terms.yml (glossary.py), the notation from book/letters.yml
+(notation.py).
 """
 
 import json
@@ -13,11 +15,14 @@ from pathlib import Path
 import yaml
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "book" / "_ext"))
+sys.path[:0] = [str(ROOT / "book" / "_ext"), str(ROOT / "book" / "_make")]
+from glossary import glossary  # noqa: E402
+from notation import for_all, for_some  # noqa: E402
 from texts import headings, source_in  # noqa: E402
 
 README, INTRO = ROOT / "README.md", ROOT / "book" / "intro.md"
-LIST = re.compile(r"(<!-- chapters: make lists -->\n).*?(<!-- end -->)", re.DOTALL)
+GLOSSARY, NOTATION = ROOT / "book" / "glossary.md", ROOT / "book" / "notation.md"
+LIST = re.compile(r"(<!-- \w+: make lists -->\n).*?(<!-- end -->)", re.DOTALL)
 
 
 def pages(entries):
@@ -90,9 +95,17 @@ def with_lists(text, *lists):
 
 def wanted():
     """{path: its text with the lists as they should be}."""
-    readme = with_lists(README.read_text(encoding="utf-8"), readme_list())
-    both = intro_list("id"), intro_list("en")
-    return {README: readme, INTRO: with_lists(INTRO.read_text(encoding="utf-8"), *both)}
+    languages = ("id", "en")
+    written = {
+        README: [readme_list()],
+        INTRO: [intro_list(language) for language in languages],
+        GLOSSARY: [glossary(language, chapters()) for language in languages],
+        NOTATION: [table(language) for language in languages for table in (for_all, for_some)],
+    }
+    return {
+        path: with_lists(path.read_text(encoding="utf-8"), *texts)
+        for path, texts in written.items()
+    }
 
 
 if __name__ == "__main__":
