@@ -23,7 +23,7 @@ def run_of(site, opened, language):
     return page, trouble, page.locator('kalman-explorer[paper="ship"]:not([view])')
 
 
-def test_ship_prolongs_two_speeds_as_one_does_by_hand(bundle):
+def test_ship_continues_two_speeds_as_one_does_by_hand(bundle):
     """0.9 and 1 m/s: 1.6 - 0.72, then a straight line, then the mean of both."""
     said = bundle.evaluate(
         """models => models.map(([a1, a2]) => {

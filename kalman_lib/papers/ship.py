@@ -69,7 +69,7 @@ class Params:
     )
     sigma: float = param(
         0.1, min=0, max=0.5, step=0.01, unit="m/s",
-        id="derau pada uji tarik sintetis", en="noise of the synthetic towing run",
+        id="derau pada uji penarikan sintetis", en="noise of the synthetic towing run",
     )
     # fmt: on
 

@@ -45,8 +45,8 @@ function drawPlane(r) {
     ylim: [-REACH, REACH],
     layers: [
       ...circle(true),
+      ...marks(r.poles, "estimate", LABELS.with_noise, "o"),
       ...marks(r.still_poles, "truth", LABELS.still, "+"),
-      ...marks(r.poles, "estimate", LABELS.with_noise),
     ],
   };
 }
@@ -107,8 +107,8 @@ export const noise = {
   ],
   compute,
   plots: [
-    { ...HAND_POLES, bare: true, height: 230, equal: true, drag: dragPole, draw: drawPlane },
-    { ...FROM_TWO, xlabel: "t (s)", height: 200, draw: drawForecast },
+    { ...HAND_POLES, bare: true, height: 210, equal: true, drag: dragPole, draw: drawPlane },
+    { ...FROM_TWO, xlabel: "t (s)", height: 180, draw: drawForecast },
   ],
   outcome,
   numbers,

@@ -1,9 +1,10 @@
 // The complex plane with the unit circle, as all figures of this chapter show poles in it.
 
+const BESIDE = 0.14; // how far below its axis a word stands: no pole on the axis may cover it
 const TICKS = [
-  ["1", [1, 0]],
-  ["−1", [-1, 0], "right"],
-  ["i", [0, 1.1]],
+  ["1", 1, -BESIDE, "left"],
+  ["−1", -1, -BESIDE, "right"],
+  ["i", 0, 1.12, "left"],
 ];
 
 /** Circle and axes; where the figure has no numbers of its own, words: true writes 1, −1 and i. */
@@ -13,8 +14,17 @@ export function circle(words = false) {
     { look: "quiet", level: 0 },
     { look: "quiet", at: 0 },
   ];
-  const named = TICKS.map(([text, at, align]) => ({ look: "quiet", text, at, align }));
-  return words ? [...lines, ...named] : lines;
+  return words ? [...lines, { look: "quiet", paint: paintTicks }] : lines;
+}
+
+function paintTicks(ctx, X, Y, colours) {
+  ctx.fillStyle = colours.words;
+  ctx.font = `600 15px ${colours.font}`;
+  ctx.textBaseline = "middle";
+  for (const [text, x, y, align] of TICKS) {
+    ctx.textAlign = align;
+    ctx.fillText(text, X(x) + (align === "left" ? 6 : -6), Y(y));
+  }
 }
 
 function paintCircle(ctx, X, Y) {
@@ -34,5 +44,5 @@ export function polesText([[real, imaginary], [other]], t) {
   if (imaginary > 0) {
     return `${t.decimal(real)} ± ${t.decimal(imaginary)} i`;
   }
-  return `${t.decimal(real)} ; ${t.decimal(other)}`;
+  return `${t.decimal(real)}; ${t.decimal(other)}`;
 }

@@ -1,4 +1,4 @@
-// The first explorer of chapter 4: a pair of poles by hand, and how their model prolongs two speeds.
+// The first explorer of chapter 4: a pair of poles by hand, and how their model continues two speeds.
 import { poles } from "./model.js";
 import { circle, marks, polesText } from "./plane.js";
 import { aboutForecast } from "./questions.js";
@@ -146,13 +146,13 @@ export const by_hand = {
     {
       ...HAND_POLES,
       bare: true,
-      height: 240,
+      height: 220,
       equal: true,
       handles: (r) => r.poles,
       drag: dragPole,
       draw: drawPlane,
     },
-    { ...CONTINUED, xlabel: "k", height: 200, draw: drawForecast },
+    { ...CONTINUED, xlabel: "k", height: 180, draw: drawForecast },
   ],
   outcome,
   equations,

@@ -68,16 +68,20 @@ function nextAfter(last, before, [c, a1, a2], t) {
 
 const NEXT = {
   without_c: {
-    id: "a₁ = {a1}, a₂ = {a2}; kecepatan terakhir {last} m/s, sebelumnya {before} m/s. Berikutnya (m/s)?",
-    en: "a₁ = {a1}, a₂ = {a2}; the last speed {last} m/s, the one before {before} m/s: what is next (m/s)?",
+    id:
+      "a₁ = {a1}, a₂ = {a2}; kecepatan terakhir {last} m/s, sebelumnya {before} m/s. " +
+      "Berikutnya (m/s, tiga angka penting)?",
+    en:
+      "a₁ = {a1}, a₂ = {a2}; the last speed {last} m/s, the one before {before} m/s. " +
+      "What is next (m/s, three significant digits)?",
   },
   with_c: {
     id:
       "c = {c} m/s, a₁ = {a1}, a₂ = {a2}; kecepatan terakhir {last} m/s, sebelumnya {before} m/s. " +
-      "Berapa ramalan berikutnya (m/s)?",
+      "Berikutnya (m/s, tiga angka penting)?",
     en:
       "c = {c} m/s, a₁ = {a1}, a₂ = {a2}; last speed {last} m/s, the one before {before} m/s. " +
-      "What is the next forecast (m/s)?",
+      "What is next (m/s, three significant digits)?",
   },
 };
 const SWAPPED = {

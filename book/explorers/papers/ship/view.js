@@ -76,7 +76,7 @@ function drawPoles(r) {
     ylim: [-reach, reach],
     layers: [
       ...circle(),
-      ...marks(r.poles, "estimate", LABELS.fitted),
+      ...marks(r.poles, "estimate", LABELS.fitted, "o"),
       ...marks(still, "truth", LABELS.still, "+"),
     ],
   };

@@ -51,7 +51,7 @@ export const OUTCOME = {
 };
 
 export const FACTS = {
-  fit: { id: "pencocokan", en: "fit" },
+  fit: { id: "hasil pencocokan", en: "fit" },
   average: { id: "rata-rata pada derau ini", en: "on average at this noise" },
   still: { id: "tanpa derau", en: "without noise" },
   poles: { id: "kutub λ", en: "poles λ" },
@@ -78,7 +78,7 @@ export const CONTROLS = {
   find_out: { id: "kenali sendiri", en: "find out" },
   comma: { id: "koma", en: "comma" },
   point: { id: "titik", en: "point" },
-  back: { id: "Kembali ke uji tarik sintetis", en: "Back to the synthetic towing run" },
+  back: { id: "Kembali ke uji penarikan sintetis", en: "Back to the synthetic towing run" },
 };
 
 export const SPEED = {
@@ -121,15 +121,15 @@ export const LABELS = {
   given: { id: "diketahui", en: "known" },
   forecast: { id: "ramalan", en: "forecast" },
   formula: { id: "rumus", en: "formula" },
-  fits: { id: "pencocokan", en: "fits" },
+  fits: { id: "hasil pencocokan", en: "fits" },
 };
 
 // --- poles by hand, and poles that noise moves -------------------------------------------------------------
 
 export const BY_HAND = {
   name: {
-    id: "Kutub dengan tangan: dua kecepatan diteruskan",
-    en: "Poles by hand: two speeds are continued",
+    id: "Menggeser kutub: dua kecepatan diteruskan",
+    en: "Dragging poles: two speeds are continued",
   },
   line_preset: { id: "Terus lurus", en: "Straight on" },
   mean_preset: { id: "Rata-rata keduanya", en: "Mean of both" },
@@ -148,7 +148,7 @@ export const BY_HAND = {
   },
   line: {
     id: "Keduanya di 1: ramalan meneruskan garis lurus.",
-    en: "Both lie at 1: the forecast prolongs the straight line.",
+    en: "Both lie at 1: the forecast continues the straight line.",
   },
   stay: {
     id: "Satu kutub di 1: ramalan menuju nilai yang tetap.",
@@ -203,7 +203,7 @@ export const FROM_TWO = {
       "Grafik kecepatan saat kapal dipercepat: titik pengukuran sampai detik 8, " +
       "lalu ramalan dua model dan nilai sebenarnya.",
     en:
-      "Plot of the speed while the ship accelerates: measured dots up to second 8, " +
+      "Plot of the speed while the ship accelerates: measured dots up to t = 8 s, " +
       "then the forecasts of two models and the true value.",
   },
 };
