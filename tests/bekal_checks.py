@@ -72,6 +72,8 @@ def chance():
         "nees": {"6.25": 0.5**2 / 0.04, "80": round(times, -1)},
         "conditional": {"0.8": 16 / 20},
         "bayes": {
+            "0.9": 90 / 100,
+            "0.3": 30 / 100,
             "0.45": product[0],
             "0.15": product[1],
             "0.6": product.sum(),

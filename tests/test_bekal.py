@@ -13,7 +13,7 @@ from texts import filter_markdown
 LANGUAGES = ("id", "en")
 PAGE = (ROOT / "book" / "bekal.md").read_text(encoding="utf-8")
 IDEA = re.compile(r"^\(bekal-([\w-]+)\)=\n### (.+)\n", re.MULTILINE)
-CHECK = {"id": "**Periksa.** ", "en": "**Check.** "}
+CHECK = {"id": "**Soal.** ", "en": "**Question.** "}
 ANSWER = {"id": "Jawaban", "en": "Answer"}
 FIGURE = (
     r"```{figure} _static/vendor/bekal-([\w-]+)\.png\n:width: 420px\n:figclass: unnumbered\n"
@@ -130,6 +130,7 @@ def test_a_picture_can_be_read_on_a_phone_and_holds_no_words(name):
         assert label.get_fontsize() / 72 * COLUMN / inches >= LABEL, label.get_text()
         words = re.sub(r"\$[^$]*\$", "", label.get_text())
         assert not re.search(r"[A-Za-z]{4,}", words), words
+        assert not re.search(r"\d[.,]\d", label.get_text()), "a decimal sign has one language"
     assert len(picture.png()) < 40_000  # bytes: a page of them stays light
 
 

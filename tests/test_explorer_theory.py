@@ -101,3 +101,15 @@ def test_the_axes_rest_while_a_slider_moves(site, opened):
         shown(element)
         limits.append(element.evaluate("e => e.explorer.r.limits"))
     assert all(other == limits[0] for other in limits)
+
+
+def test_the_sentence_counts_moments_as_their_slider_does(site, opened):
+    page, *_ = explorer_of("theory", site, opened, "en")
+    element = page.locator("kalman-explorer:not([view])")
+    for moment, title in (
+        (1, "Moment 1 of 10, step 1: prediction."),
+        (4, "Moment 4 of 10, step 2"),
+    ):
+        set_state(element, moment=moment)
+        shown(element)
+        assert title in element.locator(".explorer-outcome").inner_text()

@@ -6,7 +6,8 @@
     matrices.py   vector, matrix, product, transpose, covariance matrix, inverse, eigenvalue
     change.py     derivative, Taylor, discretisation, Jacobian, Hessian, complex number
 
-A picture holds numbers, symbols and units; its words stand in the page, in both languages. A new
+A picture holds numbers, symbols and units, and no decimal sign, since one picture serves both
+languages; its words stand in the page, in both languages. A new
 idea: a function here under its name, its text below `(bekal-<name>)=` in the page, its numbers in
 tests/bekal_checks.py.
 """

@@ -36,7 +36,9 @@ def bayes():
             places = place + np.array([-0.19, 0.19])
             ax.bar(places, heights, width=0.34, color=color)
             for x, height in zip(places, heights):
-                ax.text(x, height + 0.02, f"{height:g}", ha="center", va="bottom", color=DARK)
+                ax.text(
+                    x, height + 0.02, f"{100 * height:.0f}%", ha="center", va="bottom", color=DARK
+                )
         ax.set_xticks(range(3), [r"$p(x)$", r"$p(z \mid x)$", r"$p(x \mid z)$"], fontsize=LABEL + 3)
         ax.tick_params(axis="x", length=0)
         ax.spines["left"].set_visible(False)
@@ -47,8 +49,8 @@ def likelihood():
     p = np.linspace(0, 1, 300)
     labels = dict(xlabel="$p$", ylabel="$L$", xlim=(0, 1), ylim=(0, 0.12))
     with paper(**labels) as (picture, ax):
-        ax.set_xticks([0, 0.5, 0.75, 1], ["0", "0.5", "0.75", "1"])
-        ax.set_yticks([0, 0.05, 0.1], ["0", "0.05", "0.1"])
+        ax.set_xticks([0, 0.5, 0.75, 1], ["0", "½", "¾", "1"])
+        ax.set_yticks([0, 0.05, 0.1], ["0", "1/20", "1/10"])
         ax.plot(p, p**3 * (1 - p), color=BLUE)
         peak = 0.75**3 * 0.25
         ax.plot([0.75, 0.75], [0, peak], color=GREY, linewidth=1, linestyle=(0, (4, 3)))

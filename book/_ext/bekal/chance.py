@@ -76,11 +76,11 @@ def normal():
         ax.spines["left"].set_visible(False)
         ax.spines["bottom"].set_visible(False)
         ax.vlines([-1, 1], 0, density(1), color=BLUE, linewidth=0.8)
-        ax.text(0, 0.14, "68 %", ha="center", color=DARK)
+        ax.text(0, 0.14, "68%", ha="center", color=DARK)
         arrow(ax, (0, -0.065), (-2, -0.065), DARK, 1.0)
         arrow(ax, (0, -0.065), (2, -0.065), DARK, 1.0)
         inside = dict(ha="center", va="center", color=DARK, backgroundcolor="#fdfcf9")
-        ax.text(0, -0.065, "95 %", **inside)
+        ax.text(0, -0.065, "95%", **inside)
         ax.set_xticks([-2, -1, 0, 1, 2], names, fontsize=LABEL + 2)
     return picture
 
@@ -101,10 +101,12 @@ def noise():
     x = np.linspace(-3.2, 3.2, 500)
     labels = dict(xlabel="$w$", xlim=(-3.2, 3.2), ylim=(0, 0.9))
     with paper(xticks=range(-3, 4), yticks=[], **labels) as (picture, ax):
-        for variance, color, place in ((0.25, PURPLE, (0.5, 0.68)), (1, BLUE, (1.4, 0.22))):
-            sigma = np.sqrt(variance)
+        for sigma, name, color, place in (
+            (0.5, "1/4", PURPLE, (0.5, 0.68)),
+            (1, "1", BLUE, (1.4, 0.22)),
+        ):
             ax.plot(x, density(x / sigma) / sigma, color=color)
-            ax.text(*place, f"$Q = {variance:g}$", color=color, fontsize=LABEL + 2)
+            ax.text(*place, f"$Q = {name}$", color=color, fontsize=LABEL + 2)
         ax.spines["left"].set_visible(False)
     return picture
 
@@ -113,7 +115,7 @@ def correlation(dots=150):
     rng = np.random.default_rng(4)
     names = dict(xlim=(-3.2, 3.2), ylim=(-3.2, 3.2), xticks=[], yticks=[])
     with paper(1.75, columns=3, **names) as (picture, axes):
-        for ax, rho, name in zip(axes, (-0.8, 0, 0.8), ("−0.8", "0", "0.8")):
+        for ax, rho, name in zip(axes, (-0.8, 0, 0.8), ("−4/5", "0", "4/5")):
             first, second = rng.normal(size=(2, dots))
             second = rho * first + np.sqrt(1 - rho**2) * second
             ax.set_aspect("equal")
@@ -145,8 +147,8 @@ def chi_square():
         ax.fill_between(x, height, where=x <= 3.84, color=PALE_BLUE, linewidth=0)
         ax.plot(x, height, color=BLUE)
         ax.axvline(1, color=DARK, linewidth=1.2, linestyle=(0, (4, 3)))
-        ax.text(1.9, 0.32, "95 %", color=DARK)
-        ax.set_xticks([0, 1, 3.84], ["0", "1", "3.84"])
+        ax.text(1.9, 0.32, "95%", color=DARK)
+        ax.set_xticks([0, 1, 2, 4, 6])
         ax.spines["left"].set_visible(False)
     return picture
 
@@ -158,7 +160,7 @@ def nees(steps=40):
         k = np.arange(1, steps + 1)
         ax.vlines(k, 0, rng.normal(size=steps) ** 2, color=BLUE, linewidth=3)
         ax.axhline(3.84, color=DARK, linewidth=1.2, linestyle=(0, (4, 3)))
-        ax.set_yticks([0, 1, 3.84], ["0", "1", "3.84"])
+        ax.set_yticks([0, 1, 2, 4, 6])
     return picture
 
 

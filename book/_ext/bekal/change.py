@@ -21,8 +21,8 @@ def taylor():
     angle = np.linspace(0, 1.6, 200)
     labels = dict(xlabel=r"$\theta$ (rad)", xlim=(0, 1.6), ylim=(0, 1.6))
     with paper(2.4, **labels) as (picture, ax):
-        ax.set_xticks([0, 0.5, 1, 1.5], ["0", "0.5", "1", "1.5"])
-        ax.set_yticks([0, 0.5, 1, 1.5], ["0", "0.5", "1", "1.5"])
+        ax.set_xticks([0, 0.5, 1, 1.5], ["0", "½", "1", "1½"])
+        ax.set_yticks([0, 0.5, 1, 1.5], ["0", "½", "1", "1½"])
         ax.plot(angle, np.sin(angle), color=BLUE)
         ax.plot(angle, angle, color=PURPLE, linestyle=DASHED)
     return picture
@@ -50,8 +50,8 @@ def jacobian():
         arrow(ax, (3, 4), (4.2, 4), ORANGE, 2.2)
         arrow(ax, (3, 4), (3, 5.2), ORANGE, 2.2)
         ax.plot(3, 4, "o", color=BLUE, markersize=8)
-        ax.text(4.3, 4, "0.6", va="center", color=DARK)
-        ax.text(3, 5.3, "0.8", ha="center", color=DARK)
+        ax.text(4.3, 4, "3/5", va="center", color=DARK)
+        ax.text(3, 5.3, "4/5", ha="center", color=DARK)
     return picture
 
 
@@ -62,7 +62,7 @@ def hessian():
     curvature = 3 / 0.75**2 + 1 / 0.25**2
     labels = dict(xlabel="$p$", ylabel=r"$\ln L$", xlim=(0.25, 1), ylim=(-4.6, -2))
     with paper(2.4, yticks=[-4, -3, -2], **labels) as (picture, ax):
-        ax.set_xticks([0.25, 0.5, 0.75, 1], ["0.25", "0.5", "0.75", "1"])
+        ax.set_xticks([0.25, 0.5, 0.75, 1], ["¼", "½", "¾", "1"])
         ax.plot(p, log, color=BLUE)
         ax.plot(p, peak - curvature / 2 * (p - 0.75) ** 2, color=PURPLE, linestyle=DASHED)
         ax.plot(0.75, peak, "o", color=BLUE, markersize=8)

@@ -154,7 +154,7 @@ export const DRAW = {
   },
   path_label: { id: "jalur", en: "path" },
   filter_label: { id: "filter Kalman", en: "Kalman filter" },
-  trust: { id: "percaya prediksi ← → percaya sensor", en: "trust the forecast ← → trust the sensor" },
+  trust: { id: "percaya prediksi ← → percaya sensor", en: "trust the prediction ← → trust the sensor" },
   average: { id: "rataan bergerak", en: "moving average" },
   window: { id: "banyaknya titik dalam rataan bergerak", en: "dots in the moving average" },
   shape: { id: "Jalur", en: "Path" },
@@ -164,7 +164,7 @@ export const DRAW = {
 /** On the first page of the book, before any letter is known. */
 export const COVER = {
   name: { id: "Jalur yang kita gambar, dan filternya", en: "A path that we draw, and the filter" },
-  trust: { id: "percaya ramalan ← → percaya sensor", en: "trust the forecast ← → trust the sensor" },
+  trust: { id: "percaya prediksi ← → percaya sensor", en: "trust the prediction ← → trust the sensor" },
   dots: "sensor",
   outcome: {
     id: "Sensor biasanya meleset {dots}. Garis biru meleset {far} dan terlambat {late} langkah.",

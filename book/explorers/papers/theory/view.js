@@ -1,7 +1,7 @@
 // What the explorer of chapter 1 shows: its controls, figures, sentences and equations.
 import { drag, plane } from "./figures.js";
 import { question } from "./questions.js";
-import { COUNT, LAST, START, UPDATE, compute, given, kindOf, stepOf, zName } from "./steps.js";
+import { LAST, START, UPDATE, compute, given, kindOf, stepOf, zName } from "./steps.js";
 import { strip } from "./strip.js";
 import { CONTROLS, GAIN, NAME, ORIGINS, PLANE, TEXTS, TITLES } from "./words.js";
 
@@ -13,7 +13,7 @@ function outcome(r, s, t) {
   const { x, P } = beliefs[at];
   const before = beliefs[Math.max(at - 1, 0)];
   const K = result.K[2 * k - 2]; // of the position
-  const title = t.say(TITLES[kind], { k: String(k), of: String(COUNT) });
+  const title = titleOf(r.moment, t);
   const text = t.say(TEXTS[kind], {
     x: x[0],
     v: x[1],
@@ -27,6 +27,13 @@ function outcome(r, s, t) {
     origin: t.say(originOf(k, s), { seed: String(s.seed) }),
   });
   return `${title} ${text}`;
+}
+
+/** The name of a moment, with the number that its slider shows. */
+function titleOf(moment, t) {
+  const numbers = { moment: Math.ceil(moment), of: LAST, k: stepOf(moment) };
+  const words = Object.entries(numbers).map(([name, value]) => [name, String(value)]);
+  return t.say(TITLES[kindOf(moment)], Object.fromEntries(words));
 }
 
 /** Where the measurement of step k comes from. */
@@ -121,7 +128,7 @@ const UPDATE_HEAD = ["z (m)", "y (m)", "S (m²)", "K_1", "K_2 (1/s)"];
 function numbers(r, s, t) {
   const rows = r.beliefs.map(({ x, P }, moment) => {
     const k = stepOf(moment);
-    const title = t.say(TITLES[kindOf(moment)], { k: String(k), of: String(COUNT) });
+    const title = titleOf(moment, t);
     const belief = [...x, ...P].map((value) => t.decimal(value, 4));
     return [title, ...belief, ...updateCells(r, k, kindOf(moment), t)];
   });

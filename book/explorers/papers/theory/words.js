@@ -5,8 +5,14 @@ export const NAME = { id: "Filter selangkah demi selangkah", en: "The filter, on
 /** By the kind of a moment: start, prediction, update. */
 export const TITLES = [
   { id: "Awal.", en: "Start." },
-  { id: "Langkah {k} dari {of}: prediksi.", en: "Step {k} of {of}: prediction." },
-  { id: "Langkah {k} dari {of}: pembaruan.", en: "Step {k} of {of}: update." },
+  {
+    id: "Saat {moment} dari {of}, langkah {k}: prediksi.",
+    en: "Moment {moment} of {of}, step {k}: prediction.",
+  },
+  {
+    id: "Saat {moment} dari {of}, langkah {k}: pembaruan.",
+    en: "Moment {moment} of {of}, step {k}: update.",
+  },
 ];
 
 /** By the kind of a moment, too. */
@@ -29,16 +35,19 @@ export const TEXTS = [
   },
   {
     id:
-      "K = {K}: {percent} % dari selisih {y} m antara pengukuran dan prediksi diterima. " +
+      "K = {K}: {percent}% dari selisih {y} m antara pengukuran dan prediksi diterima. " +
       "Simpangan baku posisi berubah dari {before} m menjadi {sx} m. {origin}",
     en:
-      "K = {K}: {percent} % of the difference of {y} m between measurement and prediction is accepted. " +
+      "K = {K}: {percent}% of the difference of {y} m between measurement and prediction is accepted. " +
       "The standard deviation of the position goes from {before} m to {sx} m. {origin}",
   },
 ];
 
 export const ORIGINS = {
-  source: { id: "Pengukuran ini dari contoh pada sumber.", en: "This measurement comes from the source." },
+  source: {
+    id: "Pengukuran ini dari contoh soal.",
+    en: "This measurement is the one in the worked example.",
+  },
   synthetic: {
     id: "Pengukuran ini sintetis (benih acak {seed}).",
     en: "This measurement is synthetic (random seed {seed}).",
@@ -49,10 +58,13 @@ export const ORIGINS = {
 export const CONTROLS = {
   previous: { id: "Sebelumnya", en: "Previous" },
   next: { id: "Berikutnya", en: "Next" },
-  moment: { id: "saat: awal, prediksi, pembaruan, ...", en: "moment: start, prediction, update, ..." },
+  moment: {
+    id: "saat (0 awal, 1 prediksi, 2 pembaruan, ...)",
+    en: "moment (0 start, 1 prediction, 2 update, ...)",
+  },
   measured: { id: "posisi terukur", en: "measured position" },
   example: { id: "Contoh", en: "Example" },
-  worked: { id: "contoh pada sumber", en: "the worked example" },
+  worked: { id: "contoh soal", en: "the worked example" },
   own: { id: "contoh sendiri", en: "an example of my own" },
 };
 
@@ -78,7 +90,7 @@ export const GAIN = {
 
 /** The view "bells". */
 export const RULERS = {
-  name: { id: "Dua lonceng yang dapat diseret", en: "Two bells to drag" },
+  name: { id: "Seret kedua lonceng", en: "Drag the two bells" },
   title: { id: "Seret titik atau lingkaran", en: "Drag a dot or a ring" },
   alt: {
     id:
@@ -93,10 +105,10 @@ export const RULERS = {
   width: { id: "simpangan bakunya", en: "its standard deviation" },
   outcome: {
     id:
-      "Dari a = {a} cm kita bergeser {percent} % menuju b = {b} cm: K = {K}. " +
+      "Dari a = {a} cm kita bergeser {percent}% menuju b = {b} cm: K = {K}. " +
       "Hasilnya x = {x} cm, simpangan baku {sigma} cm.",
     en:
-      "From a = {a} cm we go {percent} % of the way to b = {b} cm: K = {K}. " +
+      "From a = {a} cm we go {percent}% of the way to b = {b} cm: K = {K}. " +
       "The result is x = {x} cm, with a standard deviation of {sigma} cm.",
   },
   rare: {
