@@ -5,12 +5,12 @@ export const NAME = { id: "Kumbang yang menjauhi wastafel", en: "The beetle that
 export const OUTCOME = {
   left: {
     id:
-      "Sesudah {t} s, menurut filter, dari simpangan baku awalnya tersisa {theta} % untuk θ dan {v} % " +
+      "Sesudah {t} s, menurut filter, dari simpangan baku awalnya tersisa {theta}% untuk θ dan {v}% " +
       "untuk v; " +
-      "untuk s = v cos θ tersisa {s} %.",
+      "untuk s = v cos θ tersisa {s}%.",
     en:
-      "After {t} s, the filter claims that {theta} % of the initial standard deviation remains for θ " +
-      "and {v} % for v; for s = v cos θ {s} % remains.",
+      "After {t} s, the filter claims that {theta}% of the initial standard deviation remains for θ " +
+      "and {v}% for v; for s = v cos θ {s}% remains.",
   },
   blind: {
     id: "Jarak hanya memperlihatkan s: bagaimana s terbagi menjadi θ dan v, itu dari tebakan awal.",
@@ -26,19 +26,19 @@ export const OUTCOME = {
   },
   high: {
     id:
-      "NIS rata-rata {nis}, di atas pita 95 %: filter terlalu yakin " +
+      "NIS rata-rata {nis}, di atas pita 95%: filter terlalu yakin " +
       "(R-nya terlalu kecil, atau tebakan awalnya lebih buruk daripada yang dikiranya).",
     en:
-      "Mean NIS {nis}, above the 95 % band: the filter is overconfident " +
+      "Mean NIS {nis}, above the 95% band: the filter is too confident " +
       "(its R is too small, or its initial guess worse than it thinks).",
   },
   low: {
-    id: "NIS rata-rata {nis}, di bawah pita 95 %: filter terlalu ragu (R-nya terlalu besar).",
-    en: "Mean NIS {nis}, below the 95 % band: the filter is too doubtful (its R is too large).",
+    id: "NIS rata-rata {nis}, di bawah pita 95%: filter terlalu hati-hati (R-nya terlalu besar).",
+    en: "Mean NIS {nis}, below the 95% band: the filter is too cautious (its R is too large).",
   },
   fits: {
-    id: "NIS rata-rata {nis}, di dalam pita 95 %: inovasinya sesuai dengan R itu.",
-    en: "Mean NIS {nis}, inside the 95 % band: the innovations fit that R.",
+    id: "NIS rata-rata {nis}, di dalam pita 95%: inovasinya sesuai dengan R itu.",
+    en: "Mean NIS {nis}, inside the 95% band: the innovations fit that R.",
   },
   origin: {
     id: "Jalannya kumbang sintetis (benih acak {seed}).",
