@@ -23,10 +23,10 @@ export const OUTCOME = {
   },
   lies: {
     id:
-      "Rumus galat makalah berkata lain: untuk {axis} sensor saja {z}%, filter {x}%, " +
+      "Galat makalah berkata lain: {axis} sensor saja {z}%, filter {x}%, " +
       "padahal filterlah yang lebih {near} sudut sebenarnya.",
     en:
-      "The paper’s error formula says otherwise: for {axis} the sensor alone {z}%, the filter {x}%, " +
+      "The paper’s error says otherwise: {axis}, the sensor alone {z}%, the filter {x}%, " +
       "although it is the filter that is {near} the true angle.",
   },
   closer: { id: "dekat ke", en: "closer to" },
