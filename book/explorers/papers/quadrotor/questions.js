@@ -68,10 +68,10 @@ function aboutGain({ P_pred, R, m }) {
     text: {
       id:
         "Pada t = {time} s, untuk {axis}, P_pred = {P} deg² dan R = {R} deg². " +
-        "Seandainya wahana dinamis dan m = {times}, berapa penguatan K sudutnya?",
+        "Seandainya quadrotor dinamis dan m = {times}, berapa penguatan K sudutnya?",
       en:
         "At t = {time} s, for the {axis}, P_pred = {P} deg² and R = {R} deg². " +
-        "If the craft were dynamic and m = {times}, what would be the gain K of the angle?",
+        "If the quadrotor were dynamic and m = {times}, what would be the gain K of the angle?",
     },
     answer: P_pred / (P_pred + m * R),
     tolerance: 0.02,

@@ -23,10 +23,10 @@ export const OUTCOME = {
   },
   lies: {
     id:
-      "Rumus galat makalah berkata lain: untuk {axis} sensor saja {z} %, filter {x} %, " +
+      "Galat makalah berkata lain: {axis} sensor saja {z}%, filter {x}%, " +
       "padahal filterlah yang lebih {near} sudut sebenarnya.",
     en:
-      "The paper’s error formula says otherwise: for {axis} the sensor alone {z} %, the filter {x} %, " +
+      "The paper’s error says otherwise: {axis}, the sensor alone {z}%, the filter {x}%, " +
       "although it is the filter that is {near} the true angle.",
   },
   closer: { id: "dekat ke", en: "closer to" },
@@ -66,9 +66,9 @@ export const SHOWN = {
 export const CONTROLS = {
   shown: { id: "Sudut", en: "Angle" },
   method: { id: "Cara", en: "Method" },
-  paper: { id: "makalah, dibetulkan", en: "the paper, corrected" },
+  paper: { id: "makalah yang dibetulkan", en: "the paper corrected" },
   adaptive: { id: "adaptif", en: "adaptive" },
-  literal: { id: "persis seperti tercetak", en: "to the letter of the paper" },
+  literal: { id: "persis seperti tercetak", en: "exactly as printed" },
   recording: {
     id: "Rekaman sendiri (CSV, ZIP, atau Excel; tetap di komputer ini)",
     en: "A recording of my own (CSV, ZIP or Excel; it stays on this computer)",
@@ -80,8 +80,8 @@ export const CONTROLS = {
   acc: { id: "akselerometer dipakai", en: "accelerometer in use" },
   mag: { id: "magnetometer dipakai", en: "magnetometer in use" },
   larger: {
-    id: "kemiringan wahana digambar 5 kali lebih besar",
-    en: "tilt of the craft drawn 5 times as large",
+    id: "kemiringan digambar 5 kali lebih besar",
+    en: "tilt drawn 5 times as large",
   },
 };
 
@@ -98,13 +98,13 @@ export const PANEL_ALT = {
 };
 
 export const CRAFT = {
-  title: { id: "Wahana", en: "The craft" },
+  title: { id: "Quadrotor", en: "The quadrotor" },
   alt: {
     id:
-      "Wahana dilihat dari selatan dan dari atas: estimasi tebal, sudut sebenarnya tipis, " +
+      "Quadrotor dilihat dari selatan dan dari atas: estimasi tebal, sudut sebenarnya tipis, " +
       "panahnya hidung.",
     en:
-      "The craft seen from the south and from above: estimate thick, true angles thin, " +
+      "The quadrotor seen from the south and from above: estimate thick, true angles thin, " +
       "the arrow is its nose.",
   },
 };
@@ -118,15 +118,15 @@ export const TILT = {
   name: { id: "Quadrotor di tangan, satu sumbu", en: "The quadrotor in the hand, one axis" },
   gyro: { id: "giroskop saja", en: "gyroscope alone" },
   acc: { id: "akselerometer saja", en: "accelerometer alone" },
-  filter: { id: "filter", en: "filter, x" },
+  filter: { id: "filter, x", en: "filter, x" },
   craft: {
     title: { id: "Dari belakang", en: "From behind" },
     alt: {
       id:
-        "Quadrotor dari belakang pada satu saat: yang sebenarnya tipis, dan tiga bayangan menurut " +
+        "Quadrotor dari belakang pada satu saat: yang sebenarnya tipis, dan tiga yang berwarna menurut " +
         "giroskop, akselerometer, dan filter.",
       en:
-        "The quadrotor from behind at one moment: the true one thin, and three ghosts by the " +
+        "The quadrotor from behind at one moment: the true one thin, and three coloured ones by the " +
         "gyroscope, the accelerometer and the filter.",
     },
   },
@@ -135,10 +135,10 @@ export const TILT = {
     alt: {
       id:
         "Roll selama 20 detik: yang sebenarnya, giroskop saja, akselerometer saja, dan filter; " +
-        "pita menandai detik ketika wahana didorong.",
+        "pita menandai detik ketika quadrotor didorong.",
       en:
         "Roll over 20 seconds: the true one, the gyroscope alone, the accelerometer alone and the " +
-        "filter; a band marks the second in which the craft is pushed.",
+        "filter; a band marks the second in which the quadrotor is pushed.",
     },
   },
   all: {
