@@ -95,7 +95,7 @@ def test_R_from_a_stretch_and_the_table_of_the_form(page):
     wait_until(
         element, "Math.abs(e.s.R - values[0]) < 1e-6", float(np.var([1.5, 2.5, 3.25], ddof=1))
     )
-    for text, said in (("3-3", "kurang dari dua"), ("tiga", "bukan rentang")):
+    for text, said in (("3-3", "kurang dari dua"), ("tiga", "bukan ruas")):
         field.fill(text)
         field.press("Enter")
         element.locator(".explorer-message").filter(has_text=said).wait_for()

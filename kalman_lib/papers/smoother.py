@@ -50,7 +50,7 @@ class Params:
     )
     window: int = param(
         3, min=1, max=500, step=1, unit="",
-        id="jendela rataan bergerak", en="window of the moving average",
+        id="banyaknya nilai rataan bergerak", en="number of values in the moving average",
     )
     # fmt: on
 

@@ -50,7 +50,7 @@ function stepOf({ z, result }, s, k) {
 function aboutSteadyGain({ K }) {
   return {
     text: {
-      id: "Di keadaan tunak K² + q K − q = 0, dengan q = Q / R = {q}. Berapa K?",
+      id: "Pada keadaan tunak K² + q K − q = 0, dengan q = Q / R = {q}. Berapa K?",
       en: "In the steady state K² + q K − q = 0, with q = Q / R = {q}. What is K?",
     },
     answer: K,

@@ -13,7 +13,7 @@ export const SOURCES = {
     id: "gaya potong pelepah sawit (sintetis)",
     en: "cutting force of oil-palm frond (synthetic)",
   },
-  tank_level: { id: "muka air tangki ikan (sintetis)", en: "water level of a fish tank (synthetic)" },
+  tank_level: { id: "tinggi air tangki ikan (sintetis)", en: "water level of a fish tank (synthetic)" },
   nile: { id: "debit Sungai Nil 1871–1970 (nyata)", en: "flow of the Nile 1871–1970 (real)" },
   own: { id: "data sendiri", en: "data of my own" },
 };
@@ -50,10 +50,10 @@ export const OUTCOME = {
   },
   rough: {
     id:
-      "Langkah antarnilai bersimpangan baku {z} pada data, {x} sesudah filter, " +
-      "dan {average} pada rataan bergerak.",
+      "Simpangan baku perubahan dari nilai ke nilai: {z} pada data, {x} sesudah filter, " +
+      "{average} pada rataan bergerak.",
     en:
-      "The steps between values have a standard deviation of {z} in the data, {x} after the filter, " +
+      "Standard deviation of the change from value to value: {z} in the data, {x} after the filter, " +
       "{average} in the moving average.",
   },
   cut: { id: "Q dan R dicari dari {n} nilai pertama.", en: "Q and R were found from the first {n} values." },
@@ -61,18 +61,18 @@ export const OUTCOME = {
 
 export const FACTS = {
   method: { id: "Cara", en: "Method" },
-  rough: { id: "Kasar: σ tiap langkah", en: "Rough: σ of the steps" },
-  behind_truth: { id: "Lambat dari nilai sebenarnya (sampel)", en: "Lag behind the truth (samples)" },
-  behind_smooth: { id: "Lambat dari RTS (sampel)", en: "Lag behind RTS (samples)" },
+  rough: { id: "Kekasaran σ(Δx)", en: "Roughness σ(Δx)" },
+  behind_truth: { id: "Terlambat dari nilai sebenarnya (langkah)", en: "Lag behind the truth (steps)" },
+  behind_smooth: { id: "Terlambat dari RTS (langkah)", en: "Lag behind RTS (steps)" },
 };
 
 export const STRETCH = {
   unclear: {
-    id: "“{text}” bukan rentang: tuliskan nomor pertama dan terakhirnya, misalnya 5-16.",
+    id: "“{text}” bukan ruas: tuliskan nomor pertama dan terakhirnya, misalnya 5-16.",
     en: "“{text}” is no stretch: type its first and its last number, such as 5-16.",
   },
   too_short: {
-    id: "Rentang itu berisi kurang dari dua nilai.",
+    id: "Ruas itu berisi kurang dari dua nilai.",
     en: "That stretch holds fewer than two values.",
   },
 };
@@ -102,8 +102,8 @@ export const CONTROLS = {
   },
   rts: { id: "penghalus maju-mundur (RTS)", en: "forward-backward smoother (RTS)" },
   noise: { id: "Derau baru", en: "New noise" },
-  stretch: { id: "Rentang tunak (No), misalnya 5-16", en: "Steady stretch (No), such as 5-16" },
-  take_R: { id: "R dari rentang ini", en: "R from this stretch" },
+  stretch: { id: "Ruas tenang, misalnya nomor 5-16", en: "Quiet stretch, such as numbers 5-16" },
+  take_R: { id: "R dari ruas ini", en: "R from this stretch" },
   likely: { id: "Q dan R paling mungkin", en: "Most likely Q and R" },
   copy: { id: "Salin hasilnya", en: "Copy the result" },
   csv: { id: "Unduh CSV", en: "Download CSV" },
@@ -182,12 +182,12 @@ export const COVER = {
 
 export const DRAWN = {
   filter: {
-    id: "Filter Kalman (K = {percent} %): RMSE {far}, terlambat {late} langkah.",
-    en: "Kalman filter (K = {percent} %): RMSE {far}, {late} steps late.",
+    id: "Filter Kalman (K = {percent}%): RMSE {far}, terlambat {late} langkah.",
+    en: "Kalman filter (K = {percent}%): RMSE {far}, {late} steps late.",
   },
   filter_flat: {
-    id: "Filter Kalman (K = {percent} %): RMSE {far}.",
-    en: "Kalman filter (K = {percent} %): RMSE {far}.",
+    id: "Filter Kalman (K = {percent}%): RMSE {far}.",
+    en: "Kalman filter (K = {percent}%): RMSE {far}.",
   },
   average: {
     id: "Rataan {n} titik: RMSE {far}, terlambat {late} langkah.",
