@@ -61,7 +61,7 @@ def consistency(lines, bounds, ylabel, xlabel="$k$", height=2.6):
     """NEES or NIS over time, a dict of (T,), and the bounds between which they should lie."""
     top = 1.15 * max(bounds[1], *(np.nanmax(values) for values in lines.values()))
     with new_figure(height, xlabel=xlabel, ylabel=ylabel, ylim=(0, top)) as (figure, ax):
-        ax.axhspan(*bounds, label="95 % $\\chi^2$", **BAND)
+        ax.axhspan(*bounds, label="95% $\\chi^2$", **BAND)
         for (label, values), look in zip(lines.items(), (ESTIMATE, RIVAL)):
             steps = np.arange(1, len(values) + 1)
             thin = {**look, "linewidth": 1.0}
