@@ -188,7 +188,7 @@ def test_words_in_one_language_only_stop_the_build(way, missing, tmp_path, sourc
     text = file.read_text(encoding="utf-8")
     instead = r"\1" if way == "left out" else rf'\1{missing}: "",'
     changed = re.sub(
-        rf'(FACTS = {{\s+fit: {{ (?:id: "pencocokan", )?){missing}: "[^"]+",?', instead, text
+        rf'(FACTS = {{\s+fit: {{ (?:id: "[^"]*", )?){missing}: "[^"]+",?', instead, text
     )
     assert changed != text
     file.write_text(changed, encoding="utf-8")

@@ -67,7 +67,7 @@
 
   function isLong(input) {
     const lines = input.querySelector("pre").textContent.trim().split("\n").length; // without the copy button
-    return lines > SHORT_CODE && !input.matches(".tag_exercise *");
+    return lines > SHORT_CODE && !input.matches(".tag_exercise *, .tag_open-code *");
   }
 
   /** The code inside a <details> such as MyST-NB makes for code that every reader finds closed. */
