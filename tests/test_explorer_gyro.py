@@ -79,8 +79,7 @@ def test_gyro_a_finger_drags_the_belief_upwards_and_scrolls_beside_it(site, open
         fingers.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
         shown(element)
 
-    def place():
-        """Where the belief is marked in the window, and how far the page is scrolled."""
+    def look():
         return canvas.evaluate("""canvas => {
           const { plots, s } = canvas.closest('kalman-explorer').explorer;
           const plot = plots.find(one => one.canvas === canvas);
@@ -88,6 +87,14 @@ def test_gyro_a_finger_drags_the_belief_upwards_and_scrolls_beside_it(site, open
           const box = canvas.getBoundingClientRect();
           return [box.left + x, box.top + y, scrollY];
         }""")
+
+    def place():
+        """Where the belief is marked in the window, and how far the page is scrolled; at rest."""
+        seen = None
+        while seen != (now := look()):
+            seen = now
+            shown(element)
+        return now
 
     element.evaluate("e => e.scrollIntoView({ block: 'center', behavior: 'instant' })")
     shown(element)
