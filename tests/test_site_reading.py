@@ -18,7 +18,8 @@ def phone(chromium):
 
 # --- code ---------------------------------------------------------------------------------------
 
-CODE = """() => [...document.querySelectorAll('div.cell_input')].map(input => {
+CODE = """() => [...document.querySelectorAll('.cell:not(.tag_open-code) > * div.cell_input, ' +
+  '.cell:not(.tag_open-code) > div.cell_input')].map(input => {
   const fold = input.closest('details');
   const lines = input.querySelector('pre').textContent.trim().split('\\n').length;
   return { lines, folded: fold !== null,
@@ -38,6 +39,7 @@ def test_long_code_is_a_slim_bar_on_a_phone_and_open_on_a_laptop(language, site,
         for code in page.evaluate(CODE):
             assert code["open"] == (code["lines"] <= LONG and not code["folded"]), path.name
             assert code["bar"] <= 48 and code["costs"] <= 48, path.name
+        assert page.locator(".tag_open-code details").count() == 0, path.name
         shut = page.evaluate(CODE)
         page.set_viewport_size({"width": 1200, "height": 900})
         page.wait_for_function("[...document.querySelectorAll('details.fold')].every(e => e.open)")

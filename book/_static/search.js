@@ -3,10 +3,10 @@
 "use strict";
 
 (() => {
-  const DEFINING = ["book/bekal", "book/glossary"]; // pages that say what a word means, the first one first
+  const DEFINING = "book/bekal"; // the page that explains; the glossary only points to the explanations
   const WHOLE_TITLE = 60; // points
   const IN_TITLE = 25;
-  const DEFINED = 12; // on such a page
+  const DEFINED = 12; // on that page
   const EXPLAINED = 8; // set off from the text, or an abbreviation that is introduced
   const MOST_TIMES = 4; // that a word counts in the prose
   const IN_CODE = 1;
@@ -45,8 +45,7 @@
     if (lower(title) === lower(query.trim())) {
       points += WHOLE_TITLE;
     }
-    const place = DEFINING.indexOf(page);
-    return place < 0 ? points : points + DEFINED / (place + 1);
+    return page === DEFINING ? points + DEFINED : points;
   }
 
   function find(query) {
