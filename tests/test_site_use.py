@@ -134,7 +134,7 @@ def test_without_javascript(server, chromium, site):
 @pytest.mark.parametrize("scheme", ["http", "file"])
 @pytest.mark.parametrize(
     "language, word, status",
-    [("id", "penguatan", "halaman ditemukan"), ("en", "gain", "page(s) matching")],
+    [("id", "penguatan", "Bagian yang ditemukan"), ("en", "gain", "Sections found")],
 )
 def test_search(scheme, language, word, status, bases, chromium):
     page = chromium.new_page()
