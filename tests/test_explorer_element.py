@@ -192,6 +192,7 @@ def test_accessibility(site, opened):
 
 def texts(element):
     return element.evaluate("""async e => {
+      e.explorer.renderNow(false);
       e.explorer.draw(true);  // a plot out of sight has no legend yet
       e.explorer.words(true);
       for (const numbers of e.querySelectorAll('details.explorer-numbers')) {
