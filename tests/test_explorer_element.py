@@ -200,7 +200,7 @@ def texts(element):
         while (!numbers.querySelector('td')) await new Promise(requestAnimationFrame);
       }
       const copy = e.cloneNode(true);
-      copy.querySelectorAll('sub').forEach(part => part.remove());
+      copy.querySelectorAll('sub, .explorer-plot[hidden]').forEach(part => part.remove());
       const words = 'button, label, option, summary, th, p, .explorer-title, .explorer-key';
       const named = '[aria-label]:not(.explorer-line)';
       return [

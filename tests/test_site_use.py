@@ -67,7 +67,8 @@ def test_the_switcher_leads_to_the_same_section_and_back(scheme, bases, chromium
         box = switcher.bounding_box()  # not switcher.click(), which may scroll
         page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
         page.wait_for_url(f"**/{language}/{name}#{section}")
-        assert page.evaluate("localStorage.getItem('book-language')") == language
+        kept = "language => localStorage.getItem('book-language') === language"
+        page.wait_for_function(kept, arg=language)
         assert (
             -5
             < page.evaluate(
