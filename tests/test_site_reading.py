@@ -89,6 +89,23 @@ def test_the_numbers_of_a_figure_are_12_pixels_high_on_a_phone(site, server, pho
     page.close()
 
 
+# --- equations ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_table_leaves_room_for_its_equations(language, site, server, phone):
+    page, seen = phone.new_page(), 0
+    for path in sorted((site / language).glob("*/*.html")):
+        page.goto(f"{server}/{path.relative_to(site).as_posix()}")
+        spills = page.locator(":is(td, th) > p > .together").evaluate_all("""pieces => pieces.map(
+          piece => piece.getBoundingClientRect().right -
+            piece.parentElement.getBoundingClientRect().right)""")
+        seen += len(spills)
+        assert max(spills, default=0) <= 1, path.name
+    assert seen > 100
+    page.close()
+
+
 # --- search -------------------------------------------------------------------------------------
 
 ASKED = {  # query: what the first entry leads to
