@@ -65,30 +65,34 @@ def test_gyro_a_phone_at_rest_drifts_as_python_says_until_the_sensor_holds_it(si
     element.evaluate("e => e.explorer.reset()")
 
 
-def test_gyro_a_finger_drags_the_belief_upwards_but_not_from_beside_it(site, opened):
+def swipe(page, x, y, up):
+    """A finger that begins at (x, y) of the window and goes up by so many pixels."""
+    fingers = page.context.new_cdp_session(page)
+    steps = [("touchStart", y), *(("touchMove", y - up * i / 6) for i in range(1, 7))]
+    for kind, height in steps:
+        points = [{"x": x, "y": height}]
+        fingers.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+    fingers.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    fingers.detach()
+
+
+def test_gyro_a_finger_drags_the_belief_upwards_and_scrolls_beside_it(site, opened):
     page, *_ = explorer_of("gyro", site, opened, "en", has_touch=True)
     element = page.locator("kalman-explorer[view=mismatch]")
     canvas = element.locator("canvas").first
-    fingers = page.context.new_cdp_session(page)
-
-    def swipe(x, y, up):
-        steps = [("touchStart", y), *(("touchMove", y - up * i / 6) for i in range(1, 7))]
-        for kind, height in steps:
-            points = [{"x": x, "y": height}]
-            fingers.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
-        fingers.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
-        shown(element)
 
     def look():
         return canvas.evaluate("""canvas => {
-          const { plots, s } = canvas.closest('kalman-explorer').explorer;
+          const element = canvas.closest('kalman-explorer');
+          const { plots, s } = element.explorer;
           const plot = plots.find(one => one.canvas === canvas);
           const [x, y] = plot.place([s.times_w * s.sigma_w, s.times_v * s.sigma_v]);
           const box = canvas.getBoundingClientRect();
-          return [box.left + x, box.top + y, box.top];
+          return [box.left + x, box.top + y, element.getBoundingClientRect().top];
         }""")
 
-    def place():  # of the mark and of the figure's upper edge in the window, at rest
+    def place():  # of the mark and of the explorer's upper edge in the window, at rest
+        shown(element)
         seen = None
         while seen != (now := look()):
             seen = now
@@ -97,11 +101,13 @@ def test_gyro_a_finger_drags_the_belief_upwards_but_not_from_beside_it(site, ope
 
     element.evaluate("e => e.scrollIntoView({ block: 'center', behavior: 'instant' })")
     x, y, top = place()
-    swipe(x, y, 50)
+    swipe(page, x, y, 50)
     assert place()[1:] == pytest.approx([y - 50, top], abs=8)
     assert element.evaluate("e => e.explorer.s.times_v") > 2
     before = element.evaluate("e => JSON.stringify(e.explorer.s)")
-    swipe(x - 90, y + 30, 60)  # beside the mark
+    swipe(page, x - 90, y + 30, 60)  # beside the mark
+    scrolled = "([e, top]) => e.getBoundingClientRect().top < top - 20"
+    page.wait_for_function(scrolled, arg=[element.element_handle(), top])
     assert element.evaluate("e => JSON.stringify(e.explorer.s)") == before
     element.evaluate("e => e.explorer.reset()")
 
