@@ -72,15 +72,15 @@
 
   /** The code inside a <details> such as MyST-NB makes for code that every reader finds closed. */
   function foldOf(input) {
-    const words = document.documentElement.lang === "id" ? ["Tampilkan", "Sembunyikan"] : ["Show", "Hide"];
-    const code = document.documentElement.lang === "id" ? "kode" : "the code";
+    const isIndonesian = document.documentElement.lang === "id";
+    const names = isIndonesian ? ["Tampilkan kode", "Sembunyikan kode"] : ["Show the code", "Hide the code"];
     const fold = document.createElement("details");
     fold.className = "admonition hide above-input fold";
     const summary = document.createElement("summary");
     ["collapsed", "expanded"].forEach((name, i) => {
       const text = document.createElement("p");
       text.className = `${name} admonition-title`;
-      text.textContent = `${words[i]} ${code}`;
+      text.textContent = names[i];
       summary.append(text);
     });
     input.replaceWith(fold);

@@ -58,13 +58,16 @@ export class Plot {
   /** Ask the browser how large the canvas is. */
   measure() {
     this.width = this.canvas.clientWidth;
+    if (!(this.width > 0)) {
+      return;
+    }
     this.height = this.canvas.clientHeight;
     this.text = Math.max(1, parseFloat(getComputedStyle(this.canvas).fontSize) / TEXT);
     const scale = Math.min(devicePixelRatio || 1, SHARPEST);
     const width = Math.round(this.width * scale);
     const height = Math.round(this.height * scale);
     const size = `${width} ${height} ${scale}`;
-    if (width > 0 && this.size !== size) {
+    if (this.size !== size) {
       this.sheet.resize(width, height);
     }
     this.size = size;

@@ -6,6 +6,8 @@ const WIDEST = 985;
 const EDGE = 16; // pixels that stay free at the right
 const CONTENTS = ".bd-sidebar-secondary";
 
+let frame = 0; // in which all explorers of the page are looked at, once
+
 /** Until the signal, follow the window. */
 export function breakOut(element, signal) {
   const column = element.parentElement;
@@ -31,7 +33,6 @@ function stepAside(signal) {
   if (!contents) {
     return;
   }
-  let frame = 0;
   const look = () => {
     frame = 0;
     const { top, bottom } = contents.getBoundingClientRect();

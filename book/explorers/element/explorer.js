@@ -288,7 +288,7 @@ export class Explorer {
     [this.frame, this.later, this.redrawing].forEach((frame) => cancelAnimationFrame(frame));
     this.frame = 0;
     [this.pause, this.unsaid].forEach(clearTimeout);
-    this.forgetSize();
+    this.stopFitting();
     this.sights.disconnect();
     this.forgetTheme();
     this.plots.forEach((plot) => plot.destroy());

@@ -40,7 +40,7 @@ export function arrange(explorer) {
   explorer.section = make("div", about, ...parts);
   enter(explorer);
   watchTouch(explorer);
-  explorer.forgetSize = watchSize(explorer);
+  explorer.stopFitting = watchSize(explorer);
   watchSight(explorer);
   explorer.forgetTheme = onThemeChange(explorer.host.themed, () => explorer.drawAgain());
 }

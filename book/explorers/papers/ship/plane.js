@@ -17,9 +17,9 @@ export function circle(words = false) {
   return words ? [...lines, { look: "quiet", paint: paintTicks }] : lines;
 }
 
-function paintTicks(ctx, X, Y, colours) {
+function paintTicks(ctx, X, Y, colours, size) {
   ctx.fillStyle = colours.words;
-  ctx.font = `600 15px ${colours.font}`;
+  ctx.font = `600 ${15 * size}px ${colours.font}`;
   ctx.textBaseline = "middle";
   for (const [text, x, y, align] of TICKS) {
     ctx.textAlign = align;
