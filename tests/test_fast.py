@@ -92,9 +92,9 @@ def test_the_variance_of_one_number_against_exact_fractions(F, H, Q, R):
 @pytest.mark.parametrize("gaps", [False, True])
 def test_a_memory_longer_than_any_block(Q, gaps):
     rng = np.random.default_rng(3)
-    z = np.cumsum(rng.normal(size=9000)) * 1e-3 + rng.normal(size=9000)
+    z = np.cumsum(rng.normal(size=4500)) * 1e-3 + rng.normal(size=4500)
     if gaps:
-        z[rng.random(9000) < 0.2] = np.nan
+        z[rng.random(4500) < 0.2] = np.nan
     same_filter(LinearModel(F=1, H=1, Q=Q, R=1, x0=0, P0=1e6), z)
     F = [[1, 0.1], [0, 1]]
     same_filter(LinearModel(F=F, H=[[1, 0]], Q=Q * np.eye(2), R=1, x0=[0, 0], P0=np.eye(2)), z)

@@ -77,7 +77,7 @@ def test_standard_errors_are_honest():
     inside = np.zeros(2)
     true = LinearModel(F=1, H=1, Q=0.5, R=2, x0=0, P0=0)
     for seed in range(60):
-        z = simulate(true, 400, np.random.default_rng(seed)).z
+        z = simulate(true, 200, np.random.default_rng(seed)).z
         found = fit(lambda Q, R: replace(true, Q=Q, R=R), dict(Q=1, R=1), z)
         for i, (name, value) in enumerate(dict(Q=0.5, R=2).items()):
             error = abs(np.log(found.values[name] / value))

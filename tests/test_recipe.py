@@ -102,9 +102,9 @@ def test_its_notebook_gives_what_it_stores(copy):
     pytest_in(copy, "--nbval", NOTEBOOK)
 
 
-@pytest.mark.parametrize("language", ["id", "en"])
-def test_its_page_is_built_and_alive(copy, language, chromium):
-    built = run(copy, "book/build.py", "--only", NOTEBOOK, "--language", language)
+def test_its_page_is_built_and_alive(copy, chromium):
+    """In one language; that words are there in both was asked when the explorers were made."""
+    built = run(copy, "book/build.py", "--only", NOTEBOOK, "--language", "en")
     path = re.search(r"Open (.+\.html)", built)[1]
     page = chromium.new_page()
     trouble = listen(page)
