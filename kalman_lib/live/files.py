@@ -7,7 +7,8 @@ import io
 
 import numpy as np
 
-from ..data import InputError, read_file, read_recording, rest_seconds, write_workbook
+from ..data import InputError, read_recording, rest_seconds, write_workbook
+from ..data.table import read_named
 
 DECIMAL = {
     "comma": ",",
@@ -35,21 +36,30 @@ def answer(question, buffers):
         files = dict(zip(question["names"], contents))
         if question["read"] == "recording":
             return recording(files)
-        return table(files, DECIMAL.get(question["sign"]))
+        return table(files, question)
     except InputError as error:
         return {"error": {"id": error.id, "en": error.en}}, []
     except Exception as error:  # the reader must see it, too
         return {"error": {"id": str(error) or repr(error), "en": str(error) or repr(error)}}, []
 
 
-def table(files, decimal):
-    """The columns of a workbook."""
+def table(files, question):
+    """The columns of a workbook; what readTable of the page gives of other files."""
     ((name, content),) = files.items()
-    found = read_file(name, content, decimal)
+    decimal = DECIMAL.get(question.get("sign"))
+    found = read_named(name, content, question.get("sheet"), decimal, question.get("missing"))
     message = {
         "columns": list(found.columns),
         "lines": found.lines.tolist(),
-        "note": {"id": found.note_id, "en": found.note_en},
+        "units": found.units,
+        "time": found.time,
+        "value": found.value,
+        "codes": [[code, count] for code, count in found.codes.items()],
+        "sheet": found.sheet,
+        "sheets": list(found.sheets),
+        "decimal": found.decimal,
+        "skipped": list(found.skipped),
+        "notes": found.notes,
     }
     return message, [as_buffer(column) for column in found.columns.values()]
 
