@@ -259,7 +259,7 @@ export function logLikelihood(model, z, u = null) {
   return over(model, z, u, Infinity);
 }
 
-/** Filter a whole series: what numerics/filters.js gives, gated (T m), 1 where the gate closed, and nis (T). */
+/** Filter a whole series: as numerics/filters.js, with gated (T m), 1 where the gate closed, and nis (T). */
 export function filterSeries(model, z, u = null, gate = 0) {
   const { n, m } = model;
   const T = z.length / m;
