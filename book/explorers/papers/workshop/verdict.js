@@ -59,5 +59,5 @@ function factorWords(factor, t) {
     return t.say(FACTORS.huge);
   }
   const words = FACTORS[factor < 1.75 ? 1.5 : Math.round(factor)];
-  return words ? t.say(words) : t.decimal(factor, factor < 100 ? 2 : 1);
+  return t.say(words ?? FACTORS.other, { factor: t.decimal(factor, factor < 100 ? 2 : 1) });
 }

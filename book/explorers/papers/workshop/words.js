@@ -141,16 +141,17 @@ export const NOISES = {
 };
 
 export const FACTORS = {
-  1.5: { id: "satu setengah", en: "one and a half" },
-  2: { id: "dua", en: "two" },
-  3: { id: "tiga", en: "three" },
-  4: { id: "empat", en: "four" },
-  5: { id: "lima", en: "five" },
-  6: { id: "enam", en: "six" },
-  7: { id: "tujuh", en: "seven" },
-  8: { id: "delapan", en: "eight" },
-  9: { id: "sembilan", en: "nine" },
-  10: { id: "sepuluh", en: "ten" },
+  1.5: { id: "kira-kira satu setengah", en: "about one and a half" },
+  2: { id: "kira-kira dua", en: "about two" },
+  3: { id: "kira-kira tiga", en: "about three" },
+  4: { id: "kira-kira empat", en: "about four" },
+  5: { id: "kira-kira lima", en: "about five" },
+  6: { id: "kira-kira enam", en: "about six" },
+  7: { id: "kira-kira tujuh", en: "about seven" },
+  8: { id: "kira-kira delapan", en: "about eight" },
+  9: { id: "kira-kira sembilan", en: "about nine" },
+  10: { id: "kira-kira sepuluh", en: "about ten" },
+  other: { id: "kira-kira {factor}", en: "about {factor}" },
   huge: { id: "lebih dari seribu", en: "more than a thousand" },
 };
 
@@ -185,12 +186,12 @@ export const VERDICT = {
   },
   searching: { id: "Sebabnya sedang dicari.", en: "The cause is being looked for." },
   too_small: {
-    id: "{noise} kira-kira {factor} kali terlalu kecil.",
-    en: "{noise} is about {factor} times too small.",
+    id: "{noise} {factor} kali terlalu kecil.",
+    en: "{noise} is {factor} times too small.",
   },
   too_large: {
-    id: "{noise} kira-kira {factor} kali terlalu besar.",
-    en: "{noise} is about {factor} times too large.",
+    id: "{noise} {factor} kali terlalu besar.",
+    en: "{noise} is {factor} times too large.",
   },
   needless: {
     id: "{noise} terlalu besar: data ini boleh dijelaskan tanpanya.",
