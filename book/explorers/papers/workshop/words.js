@@ -115,10 +115,10 @@ export const CONTROLS = {
 };
 
 export const TAKE = {
-  copy: { id: "Salin kode kalman_lib", en: "Copy the code for kalman_lib" },
-  kalman_lib: { id: "Unduh kode kalman_lib", en: "Download code for kalman_lib" },
-  filterpy: { id: "Unduh kode filterpy", en: "Download code for filterpy" },
-  csv: { id: "Unduh CSV untuk kode itu", en: "Download CSV for the code" },
+  copy: { id: "Salin kode untuk pustaka buku ini", en: "Copy the code for the book's library" },
+  kalman_lib: { id: "Unduh kode itu", en: "Download that code" },
+  filterpy: { id: "Unduh kode untuk filterpy", en: "Download the code for filterpy" },
+  csv: { id: "Unduh data untuk kode (CSV)", en: "Download the data for the code (CSV)" },
   excel: { id: "Unduh Excel dengan rumus hidup", en: "Download Excel with live formulas" },
 };
 
