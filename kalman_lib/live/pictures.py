@@ -232,4 +232,5 @@ PICTURES = {
     ("beetle", "banana"): beetle_banana,
     ("quadrotor", "flight"): quadrotor_flight,
     ("quadrotor", "tilt"): quadrotor_tilt,
+    ("quadrotor", "phone"): quadrotor_tilt,
 }

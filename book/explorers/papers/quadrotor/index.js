@@ -1,4 +1,5 @@
 // Chapter 6: what the page needs of it.
+import { phone } from "./phone.js";
 import { tilt } from "./tilt.js";
 import { flight } from "./view.js";
 
@@ -7,4 +8,4 @@ export { simulate } from "./flight.js";
 export { addUp, filterHeld, hold } from "./hand.js";
 export * from "./model.js";
 export { galat, rmse_deg } from "./statistics.js";
-export const views = { flight, tilt };
+export const views = { flight, tilt, phone };

@@ -164,3 +164,52 @@ export const TILT_CONTROLS = {
   push: { id: "dorongan ke kiri", en: "push to the left" },
   held: { id: "dimiringkan sampai", en: "tilted as far as" },
 };
+
+// --- a phone in the hand -----------------------------------------------------------------------------------
+
+export const PHONE = {
+  name: { id: "Ponsel di tangan", en: "A phone in the hand" },
+  compass: { id: "kompas", en: "compass" },
+  use_compass: { id: "kompas dipakai", en: "compass in use" },
+  play: { id: "Putar ulang", en: "Replay" },
+  ghosts: {
+    title: { id: "Tiga pendapat tentang ponsel", en: "Three opinions of the phone" },
+    alt: {
+      id: "Tiga ponsel dilihat dari belakang dan atas: menurut giroskop, akselerometer, dan filter.",
+      en: "Three outlines of a phone from behind and above: by gyroscope, accelerometer and filter.",
+    },
+  },
+  instruments: {
+    title: { id: "Waterpas dan kompas", en: "Level and compass" },
+    alt: {
+      id: "Waterpas dengan tiga gelembung dan kompas dengan jarumnya, berwarna seperti ketiga pendapat.",
+      en: "A level with three bubbles and a compass with its needles, coloured like the three opinions.",
+    },
+  },
+  angle: {
+    title: { id: "Sudut (°)", en: "Angle (°)" },
+    alt: {
+      id: "Sudut yang dipilih terhadap waktu: giroskop saja, akselerometer atau kompas saja, dan filter.",
+      en: "The chosen angle against time: gyroscope alone, accelerometer or compass alone, and the filter.",
+    },
+  },
+  now: {
+    id:
+      "Pada t = {when} s roll menurut giroskop {gyro_roll}°, akselerometer {acc_roll}°, " +
+      "filter {filter_roll}°; pitch {gyro_pitch}°, {acc_pitch}°, {filter_pitch}°.",
+    en:
+      "At t = {when} s the roll is {gyro_roll}° by the gyroscope, {acc_roll}° by the accelerometer, " +
+      "{filter_roll}° by the filter; the pitch {gyro_pitch}°, {acc_pitch}°, {filter_pitch}°.",
+  },
+  gain: { id: "Dengan R = {R} penguatannya K = {K}.", en: "With R = {R} the gain is K = {K}." },
+  no_compass: {
+    id: "Tanpa kompas, yaw dimulai dari 0 dan hanya giroskop yang memutarnya.",
+    en: "Without a compass the yaw starts at 0, and only the gyroscope turns it.",
+  },
+  synthetic: {
+    id: "Gerak ini sintetis. RMSE {angle}: giroskop {gyro}°, sensor lain {acc}°, filter {filter}°.",
+    en:
+      "The motion is synthetic. RMSE of the {angle}: gyroscope {gyro}°, other sensor {acc}°, " +
+      "filter {filter}°.",
+  },
+};
