@@ -41,7 +41,7 @@ def laboratory(folder):
             '<meta name="viewport" content="width=device-width">'
             f'<link rel="stylesheet" href="{language}/core.css">{scripts}<body class="bd-article">'
             '<kalman-explorer paper="gyro" view="drift"></kalman-explorer>'
-            '<kalman-explorer paper="quadrotor" view="phone"></kalman-explorer></body></html>',
+            '<kalman-explorer paper="quadrotor" view="tilt"></kalman-explorer></body></html>',
             encoding="utf-8",
         )
     (folder / "sensors").symlink_to(SOURCES / "sensors")

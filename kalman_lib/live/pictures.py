@@ -232,5 +232,4 @@ PICTURES = {
     ("beetle", "banana"): beetle_banana,
     ("quadrotor", "flight"): quadrotor_flight,
     ("quadrotor", "tilt"): quadrotor_tilt,
-    ("quadrotor", "phone"): quadrotor_tilt,
 }

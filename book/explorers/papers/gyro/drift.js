@@ -59,7 +59,7 @@ function draw(r, s) {
   const layers = [
     { look: "band", x: r.t, low: minus(r.band), high: r.band, label: "±2σ" },
     ...(s.sensor ? withSensor(r) : others(r)),
-    { look: "truth", level: 0, label: s.motion ? "" : "x_true" },
+    s.motion ? { look: "quiet", level: 0 } : { look: "truth", level: 0, label: "x_true" },
     { look: "estimate", x: r.t, y: r.x, label: "x" },
   ];
   const limits = s.motion ? limitsOf(r) : { xlim: [0, T * STEPS], ylim: [-REACH, REACH] };

@@ -1,5 +1,4 @@
 // Chapter 6: what the page needs of it.
-import { phone } from "./phone.js";
 import { tilt } from "./tilt.js";
 import { flight } from "./view.js";
 
@@ -8,4 +7,4 @@ export { simulate } from "./flight.js";
 export { addUp, filterHeld, hold } from "./hand.js";
 export * from "./model.js";
 export { galat, rmse_deg } from "./statistics.js";
-export const views = { flight, tilt, phone };
+export const views = { flight, tilt };

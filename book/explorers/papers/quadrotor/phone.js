@@ -1,34 +1,32 @@
-// The view "phone": a phone in the hand, live or synthetic, as gyroscope, accelerometer and filter see it.
-import { generator } from "../../numerics/random.js";
-import { rmse } from "../../numerics/metrics.js";
+// The reader's own phone in the view "tilt": as gyroscope, accelerometer and filter see it, with a level
+// and a compass.
 import { sensorControl } from "../../sensors/control.js";
 import { size } from "./figures.js";
 import { AXES } from "./model.js";
 import { drawGhosts, drawInstruments } from "./scene.js";
-import { SECONDS, shaken } from "./shaken.js";
 import { anglesOf, frameOf, opinions } from "./vertical.js";
-import { PHONE, SHOWN, TILT, TILT_CONTROLS, CONTROLS } from "./words.js";
+import { CONTROLS, PHONE, SHOWN, TILT } from "./words.js";
 
 const DRAWN = 400; // readings: about one for a pixel
 const SHOWN_LIVE = 20; // s
 const ROWS = 30; // in the table
 
-/** The reader's motion, or a synthetic one; all opinions of it, and the moment that is drawn. */
-function compute(s, memo) {
-  const motion = s.motion ?? synthetic(s.seed, memo);
+export const hasPhone = (s) => Boolean(s.motion);
+const isRecorded = (s) => hasPhone(s) && !s.motion.live;
+
+/** All opinions of the reader's motion, and the moment that is drawn: {motion, seen, T, k, lines}. */
+export function follow(s) {
+  const { motion } = s;
   const seen = opinions(motion, { R: s.R_acc, sigma_gyr: s.sigma_gyr, compass: s.compass });
   const { T, t } = motion;
   const reached = t.findLastIndex((time) => time <= s.when + 1e-9); // 0.1 + 0.2 is a little more than 0.3
-  const k = motion.live ? T - 1 : Math.max(reached, 0);
-  const r = { motion, seen, T, k };
+  const r = { motion, seen, T, k: motion.live ? T - 1 : Math.max(reached, 0) };
   return { ...r, lines: linesOf(r, s) };
 }
 
-function synthetic(seed, memo) {
-  if (memo.seed !== seed) {
-    Object.assign(memo, { seed, motion: shaken(generator(seed)) });
-  }
-  return memo.motion;
+/** The end of the recording, s. */
+export function lastTime(s) {
+  return Number(s.motion.t[s.motion.T - 1].toFixed(1));
 }
 
 /** The attitudes at step k: {gyro, acc, filter}, as frameOf gives them. The accelerometer knows no north. */
@@ -41,7 +39,7 @@ function framesAt({ seen: { up, north } }, k) {
   };
 }
 
-/** What the plot shows of the chosen angle: {t, gyro, acc, filter, truth (or null)}, degrees. */
+/** What the plot shows of the angle, degrees: {t, gyro, acc, filter}; of the yaw acc is the compass. */
 function linesOf(r, s) {
   const { motion, T } = r;
   const from = motion.live ? motion.t.findIndex((time) => time >= motion.t[T - 1] - SHOWN_LIVE) : 0;
@@ -56,7 +54,6 @@ function linesOf(r, s) {
     gyro: of("gyro"),
     acc: s.shown === "yaw" ? compass() : of("acc"),
     filter: of("filter"),
-    truth: motion.truth ? Float64Array.from(steps, (k) => anglesOf(motion.truth[k])[i]) : null,
   };
 }
 
@@ -65,16 +62,15 @@ function aroundZero(heading) {
   return heading - 360 * Math.floor((heading + 180) / 360);
 }
 
-function drawAngle({ lines, motion, k }, s) {
-  const { t, gyro, acc, filter, truth } = lines;
-  const from = motion.live ? t[0] : 0;
+export function drawAngle({ lines, motion, T, k }, s) {
+  const { t, gyro, acc, filter } = lines;
+  const end = motion.live ? t[0] + SHOWN_LIVE : Math.max(1, motion.t[T - 1]);
   return {
-    xlim: [from, Math.max(from + 1, motion.live ? from + SHOWN_LIVE : motion.t[motion.T - 1])],
+    xlim: [t[0], end],
     layers: [
       { look: "measurement", x: t, y: acc, label: s.shown === "yaw" ? PHONE.compass : TILT.acc },
       { look: "prediction", x: t, y: gyro, label: TILT.gyro },
       { look: "estimate", x: t, y: filter, label: TILT.filter },
-      truth && { look: "truth", x: t, y: truth, label: "x_true" },
       { look: "quiet", at: motion.t[k] },
     ],
   };
@@ -82,28 +78,22 @@ function drawAngle({ lines, motion, k }, s) {
 
 // --- words and numbers -------------------------------------------------------------------------------------
 
-function outcome(r, s, t) {
+export function outcome(r, s, t) {
   const { motion, k, seen } = r;
-  const frames = framesAt(r, k);
-  const angles = Object.entries(frames).map(([name, frame]) => [name, anglesOf(frame)]);
-  const now = { when: t.decimal(Number(motion.t[k].toFixed(1))) };
-  for (const [name, [roll, pitch]] of angles) {
-    now[`${name}_roll`] = size(Number(roll.toFixed(1)), t);
-    now[`${name}_pitch`] = size(Number(pitch.toFixed(1)), t);
+  const now = { when: t.decimal(Number(motion.t[k].toFixed(1)), 4) };
+  for (const [name, frame] of Object.entries(framesAt(r, k))) {
+    const [roll, pitch] = anglesOf(frame).map((angle) => size(Number(angle.toFixed(1)), t));
+    now[`${name}_roll`] = roll;
+    now[`${name}_pitch`] = pitch;
   }
   const sentences = [t.say(PHONE.now, now), t.say(PHONE.gain, { R: s.R_acc, K: seen.K[k] })];
   if (motion.heading.every(Number.isNaN) || !s.compass) {
     sentences.push(t.say(PHONE.no_compass));
   }
-  if (motion.truth) {
-    const off = (name) => size(rmse(r.lines.truth, r.lines[name])[0], t);
-    const values = { gyro: off("gyro"), acc: off("acc"), filter: off("filter"), angle: s.shown };
-    sentences.push(t.say(PHONE.synthetic, values));
-  }
   return sentences.join(" ");
 }
 
-function numbers(r, s, t) {
+export function numbers(r, s, t) {
   const { motion, seen, T } = r;
   const rows = [];
   for (let k = 0; k < T; k += Math.max(1, Math.floor(T / ROWS))) {
@@ -116,65 +106,34 @@ function numbers(r, s, t) {
   return { head: ["t (s)", ...names, "roll, x (°)", "pitch, x (°)", "yaw, x (°)", "K"], rows };
 }
 
-// --- the view ----------------------------------------------------------------------------------------------
+// --- what the view has for it ------------------------------------------------------------------------------
 
-const isStill = (s) => !s.motion?.live;
+const AS_ONE_SEES_IT = { height: 150, half: true, equal: true, bare: true, visible: hasPhone };
+const NOTHING = { xlim: [0, 1], ylim: [0, 1], layers: [] };
 
-const controls = [
-  sensorControl({ name: "motion" }),
+/** A figure of a phone draws nothing while there is none. */
+function ifPhone(draw) {
+  return (r, s, t) => (hasPhone(s) ? draw(r, s, t) : NOTHING);
+}
+
+export const ghosts = { ...PHONE.ghosts, ...AS_ONE_SEES_IT, draw: ifPhone(drawGhosts(framesAt)) };
+export const instruments = {
+  ...PHONE.instruments,
+  ...AS_ONE_SEES_IT,
+  after: true,
+  draw: ifPhone(drawInstruments(framesAt)),
+};
+
+export const controls = [
   {
     kind: "select",
     name: "shown",
     default: "roll",
     ...CONTROLS.shown,
     options: AXES.map((axis) => [axis, SHOWN[axis]]),
+    visible: hasPhone,
   },
-  {
-    ...TILT_CONTROLS.R_acc,
-    name: "R_acc",
-    symbol: "R",
-    unit: "°²",
-    log: true,
-    min: 0.01,
-    max: 1e4,
-    step: 0.1,
-    default: 10,
-  },
-  {
-    ...TILT_CONTROLS.when,
-    name: "when",
-    symbol: "t",
-    unit: "s",
-    min: 0,
-    max: SECONDS,
-    step: 0.1,
-    default: 11.4,
-    end: (s, r) => (r ? Number(r.motion.t[r.T - 1].toFixed(1)) : SECONDS),
-    visible: isStill,
-  },
-  { kind: "buttons", items: [{ play: "when", seconds: SECONDS, ...PHONE.play }], visible: isStill },
-  { kind: "check", name: "compass", default: true, ...PHONE.use_compass },
+  { kind: "check", name: "compass", default: true, ...PHONE.use_compass, visible: hasPhone },
+  { kind: "buttons", items: [{ play: "when", seconds: 20, ...PHONE.play }], visible: isRecorded },
+  sensorControl({ name: "motion" }),
 ];
-
-export const phone = {
-  name: PHONE.name,
-  noise: true,
-  start: { sigma_gyr: 1 },
-  controls,
-  compute,
-  plots: [
-    { ...PHONE.ghosts, height: 150, half: true, equal: true, bare: true, draw: drawGhosts(framesAt) },
-    {
-      ...PHONE.instruments,
-      height: 150,
-      half: true,
-      equal: true,
-      bare: true,
-      after: true,
-      draw: drawInstruments(framesAt),
-    },
-    { ...PHONE.angle, xlabel: "t (s)", height: 200, half: true, draw: drawAngle },
-  ],
-  outcome,
-  numbers,
-};

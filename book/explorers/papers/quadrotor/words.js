@@ -131,14 +131,15 @@ export const TILT = {
     },
   },
   angles: {
-    title: { id: "Roll (derajat)", en: "Roll (degrees)" },
+    title: { id: "Sudut (°)", en: "Angle (°)" },
     alt: {
       id:
         "Roll selama 20 detik: yang sebenarnya, giroskop saja, akselerometer saja, dan filter; " +
-        "pita menandai detik ketika quadrotor didorong.",
+        "pita menandai detik ketika quadrotor didorong. Dari ponsel sendiri: sudut yang dipilih.",
       en:
         "Roll over 20 seconds: the true one, the gyroscope alone, the accelerometer alone and the " +
-        "filter; a band marks the second in which the quadrotor is pushed.",
+        "filter; a band marks the second in which the quadrotor is pushed. " +
+        "Of our own phone: the chosen angle.",
     },
   },
   all: {
@@ -165,10 +166,9 @@ export const TILT_CONTROLS = {
   held: { id: "dimiringkan sampai", en: "tilted as far as" },
 };
 
-// --- a phone in the hand -----------------------------------------------------------------------------------
+// --- the reader's own phone --------------------------------------------------------------------------------
 
 export const PHONE = {
-  name: { id: "Ponsel di tangan", en: "A phone in the hand" },
   compass: { id: "kompas", en: "compass" },
   use_compass: { id: "kompas dipakai", en: "compass in use" },
   play: { id: "Putar ulang", en: "Replay" },
@@ -186,13 +186,6 @@ export const PHONE = {
       en: "A level with three bubbles and a compass with its needles, coloured like the three opinions.",
     },
   },
-  angle: {
-    title: { id: "Sudut (°)", en: "Angle (°)" },
-    alt: {
-      id: "Sudut yang dipilih terhadap waktu: giroskop saja, akselerometer atau kompas saja, dan filter.",
-      en: "The chosen angle against time: gyroscope alone, accelerometer or compass alone, and the filter.",
-    },
-  },
   now: {
     id:
       "Pada t = {when} s roll menurut giroskop {gyro_roll}°, akselerometer {acc_roll}°, " +
@@ -205,11 +198,5 @@ export const PHONE = {
   no_compass: {
     id: "Tanpa kompas, yaw dimulai dari 0 dan hanya giroskop yang memutarnya.",
     en: "Without a compass the yaw starts at 0, and only the gyroscope turns it.",
-  },
-  synthetic: {
-    id: "Gerak ini sintetis. RMSE {angle}: giroskop {gyro}°, sensor lain {acc}°, filter {filter}°.",
-    en:
-      "The motion is synthetic. RMSE of the {angle}: gyroscope {gyro}°, other sensor {acc}°, " +
-      "filter {filter}°.",
   },
 };
