@@ -2,7 +2,7 @@
 // page.
 import { InputError, number } from "../language/input.js";
 import { tell } from "./messages.js";
-import { accepted } from "./settings.js";
+import { accepted, isData } from "./settings.js";
 import { WORDS } from "./words.js";
 
 const PART = /^[a-z]+(\.[a-z]+)?:/; // other anchors are none of our business
@@ -46,8 +46,7 @@ function writeHash(key, text) {
 /** The controls that the address may hold, by name. */
 function addressed(controls) {
   const kept = controls.filter((control) => {
-    const isFree =
-      control.kind === "text" || control.kind === "file" || typeof control.options === "function";
+    const isFree = control.kind === "text" || isData(control) || typeof control.options === "function";
     return control.name && !isFree;
   });
   const seed = { name: "seed", min: 0, max: LARGEST_SEED, unit: "" };
