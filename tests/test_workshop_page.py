@@ -7,7 +7,7 @@ import sys
 import numpy as np
 import pytest
 from conftest import ROOT, listen
-from explorer_helpers import paste, shown
+from explorer_helpers import shown
 from workshop_helpers import as_text, own_data
 
 from kalman_lib.papers import workshop
@@ -106,7 +106,7 @@ class Builder:
         shown(self.element)
 
     def check(self, name):
-        self.element.get_by_text(re.compile(self.words[name])).click()
+        self.element.get_by_role("checkbox", name=re.compile(self.words[name])).check()
         shown(self.element)
 
     def download(self, name, target):
@@ -159,11 +159,10 @@ def test_the_noise_by_hand_and_by_likelihood(builder):
 def test_own_data_from_the_table_to_the_program(builder, tmp_path):
     """Two sensors, uneven steps, gaps, outliers: the program that is handed over says the same."""
     about = dict(pattern=3, second=3)
-    data = own_data(
-        workshop.Params(**about), uneven=True, gaps=True, outliers=True, steps=150
-    )
+    data = own_data(workshop.Params(**about), uneven=True, gaps=True, outliers=True, steps=150)
     builder.group(1)
-    paste(builder.element, as_text(data))
+    builder.element.locator("textarea[id$='-text']").fill(as_text(data))
+    shown(builder.element)
     builder.group(2)
     builder.choose("second", "3")
     builder.group(1)
