@@ -26,13 +26,14 @@ ALLOWED = {
     "files": {"files", "language"},
     "drawing": {"drawing"},
     "element": {"element", "drawing", "language", "numerics"},
-    "papers": {"numerics", "language", "files"},  # and each its own folder
+    "sensors": {"sensors", "language"},
+    "papers": {"numerics", "language", "files", "sensors"},  # and each its own folder
     "grading": {"grading", "language"},
     "exercise": {"exercise", "grading", "drawing", "language"},
     "jupyter": {"jupyter", "element", "drawing", "language"},
     "": {"numerics", "language", "element"},  # core.js
 }
-TOUCH_THE_DOCUMENT = {"element", "drawing", "jupyter", "exercise"}
+TOUCH_THE_DOCUMENT = {"element", "drawing", "jupyter", "exercise", "sensors"}
 FILES = sorted(SOURCES.rglob("*.js"))
 
 

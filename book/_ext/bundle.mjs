@@ -18,7 +18,7 @@ import { build } from "esbuild";
 const SHARED = ["numerics", "language"]; // rooms of the core that papers use
 const OTHER = { id: "en", en: "id" };
 // Where {id, en} are words
-const WORDY = /[\\/](papers|language|files|grading|exercise)[\\/]|[\\/]element[\\/]words\.js$/;
+const WORDY = /[\\/](papers|language|files|grading|exercise)[\\/]|[\\/](element|sensors)[\\/]words\.js$/;
 
 class Mistake extends Error {}
 
@@ -206,10 +206,10 @@ function collected(papers) {
 /** {paper: {view: {name: value}}}: where every control of a view starts, for Python. */
 async function startsOf(papers, options) {
   const contents = `${collected(papers)}
-    import { completeControls, defaultsOf } from "./element/settings.js";
+    import { completeControls, defaultsOf, isData } from "./element/settings.js";
     const startOf = (view, table) => {
       const controls = completeControls(view, table, true);
-      const files = controls.filter(({ kind }) => kind === "file").map(({ name }) => name);
+      const files = controls.filter(isData).map(({ name }) => name);
       const starts = Object.entries(defaultsOf(view, controls, table));
       return Object.fromEntries(starts.filter(([name]) => !files.includes(name)));
     };

@@ -138,6 +138,7 @@ function innovation(model, z, k, limit, s) {
 function update(model, s) {
   const { n, m, H, R } = model;
   let density = 0;
+  s.nis = 0;
   s.L.set(s.L_pred);
   s.K.fill(0);
   s.change.fill(0);
@@ -153,6 +154,7 @@ function update(model, s) {
     }
     y /= sigma;
     const S = oneSensor(s, n);
+    s.nis += (y * y) / S;
     density -= (Math.log(2 * Math.PI * S * R[i]) + (y * y) / S) / 2;
     for (let j = 0; j < n; j++) {
       s.change[j] += s.k[j] * y;
@@ -257,12 +259,13 @@ export function logLikelihood(model, z, u = null) {
   return over(model, z, u, Infinity);
 }
 
-/** Filter a whole series: what numerics/filters.js gives, and gated (T m), 1 where the gate closed. */
+/** Filter a whole series: as numerics/filters.js, with gated (T m), 1 where the gate closed, and nis (T). */
 export function filterSeries(model, z, u = null, gate = 0) {
   const { n, m } = model;
   const T = z.length / m;
   const of = (size) => new Float64Array(T * size);
-  const result = { T, n, m, Q: model.Q, R: model.R, H: model.H, gated: new Uint8Array(T * m) };
+  const { Q, R, H } = model;
+  const result = { T, n, m, Q, R, H, gated: new Uint8Array(T * m), nis: of(1) };
   const sizes = { x_pred: n, P_pred: n * n, x: n, P: n * n, y: m, S: m * m, K: n * m, F: n * n };
   for (const [name, size] of Object.entries(sizes)) {
     result[name] = of(size);
@@ -273,6 +276,7 @@ export function filterSeries(model, z, u = null, gate = 0) {
     for (const name of ["x_pred", "x", "y", "S", "K"]) {
       result[name].set(s[name], k * sizes[name]);
     }
+    result.nis[k] = s.nis;
     result.P_pred.set(squareOf(s.L_pred), k * n * n);
     result.P.set(squareOf(s.L), k * n * n);
     result.F.set(at(model.F, k, n * n), k * n * n);

@@ -74,6 +74,25 @@ function complete({ n, F, Q, B, H, R, x0, P0 }) {
   return made;
 }
 
+/**
+ * A (rows), Bc and the diagonal of Qc per second of a pattern: each state is the rate of the one before, the
+ * noise and a known input are the rate of the last.
+ */
+export function continuous(p) {
+  const order = ORDER[p.pattern];
+  const n = order + hasBias(p);
+  const A = Array.from({ length: n }, (_, i) => {
+    const isChain = i < order - 1;
+    const isDriven = i === order - 1 && p.second === SECOND.DRIVES;
+    return Array.from({ length: n }, (_, j) => {
+      const entry = j === i + 1 && isDriven ? -1 : Number(j === i + 1);
+      return isChain || isDriven ? entry : 0;
+    });
+  });
+  const last = (value) => Array.from({ length: n }, (_, i) => (i === order - 1 ? value : 0));
+  return { order, A, Bc: last(1), Qc: last(p.pattern === PATTERN.CONSTANT ? 0 : p.Qc) };
+}
+
 /** F of a step: each state is the rate of the one before; a biased input is too high by the bias. */
 function transition(p, dt, n, F) {
   const order = ORDER[p.pattern];
@@ -155,8 +174,8 @@ export function median(values) {
 }
 
 /** Made-up data of the pattern. It starts at x0, which the filter hardly knows. */
-export function simulate(p, rng, steps = STEPS) {
-  const made = model(p);
+export function simulate(p, rng, steps = STEPS, F = OWN_F, H = OWN_H) {
+  const made = model(p, null, F, H);
   const x0 = Float64Array.from(made.x0);
   if (p.pattern === PATTERN.OWN) {
     x0.fill(3 * Math.sqrt(p.R));

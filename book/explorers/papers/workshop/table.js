@@ -1,0 +1,54 @@
+// The table that a reader pasted or dropped: which of its columns are the time and the measurements.
+import { readBrought } from "../../files/table.js";
+import { InputError } from "../../language/input.js";
+import { WRONG } from "./words.js";
+
+const TIME = /^(t|time|waktu|detik|seconds?|s|jam|tanggal|date|k|no)\b/i;
+const LEAST_ROWS = 10;
+
+/** Has the reader brought data? */
+export function isOwn(s) {
+  return Boolean(s.file || s.text?.trim());
+}
+
+let last = { key: [], table: null }; // what was read last: the choice of columns needs it, too
+
+/** {columns: Map, time: name or undefined, value: name, note}. */
+export function tableFrom({ text, file, sign }) {
+  const key = [text, file, sign];
+  if (!key.every((value, i) => value === last.key[i])) {
+    last = { key, table: null };
+    const read = readBrought({ text, file }, sign === "auto" ? null : sign);
+    last.table = { ...read, ...choice([...read.columns.keys()]) };
+  }
+  if (!last.table) {
+    throw new InputError(WRONG.unread);
+  }
+  const [first] = last.table.columns.values();
+  if (first.length < LEAST_ROWS) {
+    throw new InputError(WRONG.short);
+  }
+  return last.table;
+}
+
+/** Which columns are taken at first: a time by its name, and the next two. */
+function choice(names) {
+  const time = names.length > 1 ? names.find((name) => TIME.test(name)) : undefined;
+  const others = names.filter((name) => name !== time);
+  return { time, value: others[0], value2: others[1] };
+}
+
+/** What changes with new data: the columns; data that cannot be read says so when it is used. */
+export function chosenColumns(s) {
+  try {
+    const { time, value, value2 } = tableFrom(s);
+    return { time: time ?? "", value, value2: value2 ?? "" };
+  } catch {
+    return {};
+  }
+}
+
+/** The columns to choose from. */
+export function columnNames() {
+  return [...(last.table?.columns.keys() ?? [])];
+}
