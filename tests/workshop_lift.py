@@ -9,8 +9,8 @@ import numpy as np
 
 LIFT = Path(__file__).resolve().parent.parent / "notebooks" / "data" / "lift.csv"
 HEAD = (
-    "# Sintetis / Synthetic: barometer di dalam lift / barometer in a lift; -999: NaN\n"
-    "t (s),z (m),x_true (m)\n"
+    "# Sintetis / Synthetic: barometer di dalam lift / barometer in a lift\n"
+    "waktu;z (m);x_true (m)\n"
 )
 SECONDS, MISSING = 140, -999
 START, SPEED, SIGMA = 12, 1.6, 0.3  # m, m/s, m
@@ -31,7 +31,7 @@ def height(t):
 def ride(rng):
     """t (T,) s, uneven; z (T,) m with five outliers and four gaps; the true height (T,) m."""
     t = np.cumsum(rng.uniform(0.4, 1.6, 400)).round(2)
-    t = t[t < SECONDS]
+    t = (t - t[0])[t < SECONDS].round(2)
     truth = height(t)
     z = truth + rng.normal(0, SIGMA, t.size)
     odd = rng.choice(np.arange(45, t.size), 9, replace=False)
@@ -41,10 +41,17 @@ def ride(rng):
     return t, z.round(2), truth.round(3), outliers
 
 
+def clock(seconds):
+    """A quarter past nine, and so many seconds."""
+    minutes, seconds = divmod(seconds, 60)
+    return f"09:{15 + int(minutes)}:{seconds:05.2f}"
+
+
 def text():
     """The file as it is stored."""
     t, z, truth, _ = ride(np.random.default_rng(2))
-    return HEAD + "".join(f"{a:.2f},{b:.2f},{c:.3f}\n" for a, b, c in zip(t, z, truth))
+    rows = [f"{clock(a)};{b:.2f};{c:.3f}\n" for a, b, c in zip(t, z, truth)]
+    return HEAD + "".join(rows).replace(".", ",")
 
 
 if __name__ == "__main__":
