@@ -6,6 +6,7 @@ import re
 import numpy as np
 import pytest
 import workshop_lift
+from conftest import ROOT
 from scipy.optimize import minimize_scalar
 from scipy.stats import chi2
 from statsmodels.stats.diagnostic import acorr_ljungbox
@@ -79,6 +80,26 @@ def test_the_truth_lies_inside_the_bands(name):
     (x, P), _, _, truth = compared(name)
     inside = np.abs(truth - x) < 2 * np.sqrt(np.einsum("kii->ki", P))
     assert inside.mean(axis=0).min() > 0.9
+
+
+DEEPER = (ROOT / "notebooks" / "07_workshop_deeper.ipynb").read_text(encoding="utf-8")
+ROW = re.compile(r"\| ([\w/]+) \| [^|]+ \| ([\d.,]+) \| ([\d.,]+) \| ([\d.,]+) \|")
+NAMES = dict(bus="bus", suhu="room", temperature="room", GPS="gps")
+NAMES |= dict(baterai="battery", battery="battery")
+
+
+def test_the_table_of_errors_prints_what_all_three_find():
+    found = {}
+    for name, *printed in ROW.findall(DEEPER):
+        found.setdefault((NAMES[name], "," in printed[0]), []).append(printed)
+    assert len(found) == 2 * len(FOUR)
+    for (name, _), rows in found.items():
+        *three, truth = compared(name)
+        for column, (x, _) in enumerate(three):
+            rmse = np.sqrt(np.mean((truth - x) ** 2, axis=0))
+            printed = [row[column].replace(",", ".") for row in rows]
+            digits = [len(text.partition(".")[2]) for text in printed]
+            assert [f"{e:.{d}f}" for e, d in zip(rmse, digits)] == printed
 
 
 # --- in many runs the band holds what it promises -------------------------------------------------
@@ -267,9 +288,6 @@ def test_the_lift_is_as_fast_as_it_was_made():
     assert abs(speed - workshop_lift.SPEED) < 2 * sigma < 0.4
     inside = np.abs(c.truth[1:] - c.kf.x[:, 0]) < 2 * np.sqrt(c.kf.P[:, 0, 0])
     assert inside.mean() > 0.9
-
-
-# --- what the chapter promises about its code -----------------------------------------------------
 
 
 @pytest.mark.parametrize("name", FOUR)
