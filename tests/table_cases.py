@@ -279,3 +279,8 @@ HUGE = {
     "colons": lambda: "1:" * 300_000,
     "long list": lambda: "[" + "1, " * 2_000_000 + "1]",
 }
+
+
+def options_of(more):
+    """What of the third part of a case is an argument of read_table."""
+    return {key: more[key] for key in ("decimal", "missing") if key in more}

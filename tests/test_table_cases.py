@@ -2,15 +2,14 @@
 
 import numpy as np
 import pytest
-from table_cases import READ, REFUSED
+from table_cases import READ, REFUSED, options_of
 
 from kalman_lib.data import InputError, read_table
 
 
 @pytest.mark.parametrize("text, columns, more", READ, ids=lambda value: repr(value)[:40])
 def test_it_is_read_as_a_person_would(text, columns, more):
-    options = {key: more[key] for key in ("decimal", "missing") if key in more}
-    table = read_table(text, **options)
+    table = read_table(text, **options_of(more))
     assert list(table.columns) == list(columns)
     for name, values in columns.items():
         np.testing.assert_allclose(table.columns[name], values, rtol=1e-12, err_msg=name)

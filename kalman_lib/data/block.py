@@ -6,7 +6,7 @@ A grid is a list of (line, cells); a blank line has no cells.
 import re
 from dataclasses import dataclass, field
 
-from .cells import has_letter, is_gap, is_value, quoted
+from .cells import has_letter, is_gap, is_value, quoted, shown
 from .errors import InputError
 from .units import AGGREGATES, is_unit
 
@@ -57,11 +57,11 @@ def find(grid):
 
 
 def _plain(name):
-    return " ".join(str(name).lstrip("# ").split())
+    return " ".join(shown(name).lstrip("# ").split())
 
 
 def _plain_unit(text):
-    return str(text).strip().strip("()[]").strip()
+    return shown(text).strip().strip("()[]").strip()
 
 
 def _fitted(cells, width):
@@ -186,14 +186,14 @@ def _check_neighbours(grid, start, stop, width):
     if len(above) == width and not any(map(has_letter, above)) and _has_digit(above):
         line = grid[start - 1][0]
         raise no_number(line, "1", next(cell for cell in above if not is_gap(cell)))
-    if width == 1 and len(below) == 1 and len(str(below[0]).split()) == 1:
+    if width == 1 and len(below) == 1 and len(shown(below[0]).split()) == 1:
         head, _, _ = header_of(grid, start, stop)
-        name = str(grid[head][1][0]) if head is not None else "1"
+        name = shown(grid[head][1][0]) if head is not None else "1"
         raise no_number(grid[stop][0], name, below[0])
 
 
 def _has_digit(cells):
-    return any(sign.isdigit() for cell in cells for sign in str(cell))
+    return any(sign.isdecimal() for cell in cells for sign in shown(cell))
 
 
 # --- the header ---------------------------------------------------------------------------------
@@ -221,9 +221,13 @@ def _names_the_next(grid, start, stop):
     if len(rows) < 2:
         return False
     return any(
-        has_letter(column[0]) and not is_value(column[0]) and all(map(is_value, column[1:]))
+        has_letter(column[0]) and not is_value(column[0]) and _are_numbers(column[1:])
         for column in zip(*rows)
     )
+
+
+def _are_numbers(cells):
+    return any(map(is_value, cells)) and all(is_value(cell) or is_gap(cell) for cell in cells)
 
 
 def is_header(cells, width):
@@ -247,9 +251,9 @@ def _are_units(cells):
 
 
 def _in_brackets(cell):
-    return bool(re.fullmatch(r"[(\[][^()\[\]]{0,20}[)\]]", str(cell)))
+    return bool(re.fullmatch(r"[(\[][^()\[\]]{0,20}[)\]]", shown(cell)))
 
 
 def _all_in(cells, words):
-    texts = [str(cell).lower() for cell in cells if cell != ""]
+    texts = [shown(cell).lower() for cell in cells if cell != ""]
     return bool(texts) and all(text in words for text in texts)

@@ -6,7 +6,7 @@ import numpy as np
 
 from . import clock, decimals
 from .block import no_number
-from .cells import has_letter, is_gap, is_value, number_in, quoted, to_number
+from .cells import has_letter, is_gap, is_value, number_in, quoted, shown, to_number
 from .errors import InputError
 from .limits import MAX_COLUMNS, MAX_NUMBER, too_wide
 from .units import CLOCK_WORDS, canonical, unit_of, words_of
@@ -60,7 +60,7 @@ def turned(block):
     if is_row and len(filled[0]) > 1:
         columns, names = [[""], *([cell] for cell in filled[0])], [""]
     elif has_names and all(_is_named_row(cells) for cells in filled):
-        columns, names = list(zip(*filled)), [str(cells[0]).strip() for cells in filled]
+        columns, names = list(zip(*filled)), [shown(cells[0]).strip() for cells in filled]
     else:
         return rows, names, []
     note = {
@@ -195,19 +195,19 @@ def _fill_seconds(column, notes):
         column.kind = WORDS
         return
     start = next(k for k, value in enumerate(seconds) if value is not None)
-    shown = str(column.cells[start])[:40]
+    first = shown(column.cells[start])[:40]
     column.values = np.array([
         np.nan if value is None else value - seconds[start] for value in seconds
     ])
     column.unit = "s"
     notes.append({
-        "en": f"{name}: seconds since {shown}",
-        "id": f"{name}: detik sejak {shown}",
+        "en": f"{name}: seconds since {first}",
+        "id": f"{name}: detik sejak {first}",
     })
     if "day" in assumed:
         notes.append({
-            "en": f"{shown} was read as day before month",
-            "id": f"{shown} dibaca dengan hari sebelum bulan",
+            "en": f"{first} was read as day before month",
+            "id": f"{first} dibaca dengan hari sebelum bulan",
         })
     if "midnight" in assumed:
         notes.append({"en": "it goes on after midnight", "id": "lewat tengah malam diteruskan"})

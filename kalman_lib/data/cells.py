@@ -98,4 +98,9 @@ def parted(cell):
 
 def quoted(cell):
     """The cell as a message shows it: the beginning is enough to find it."""
-    return repr(str(cell)[:40])
+    return repr(shown(cell)[:40])
+
+
+def shown(cell):
+    """The cell as text; 2019, not 2019.0, of a workbook."""
+    return f"{cell:.15g}" if isinstance(cell, float) else cell

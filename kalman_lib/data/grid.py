@@ -101,7 +101,7 @@ def _part(text, name, strict=True):
     if name == "comma and blank":
         return _cut(grid, ", +")
     grid = [(line, [_glued(cells[0])] if cells else []) for line, cells in grid]
-    return _cut(grid, r"\s\s+" if name == "two blanks" else r"\s+(?<![\u00a0\u202f\u2009])")
+    return _cut(grid, r"\s\s+" if name == "two blanks" else r"[^\S\u00a0\u202f\u2009]+")
 
 
 def _glued(text):

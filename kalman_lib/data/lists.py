@@ -6,6 +6,9 @@ from .limits import MAX_CELLS, MAX_READ, too_long
 
 OPENING, CLOSING = "[({", "])}"
 LONGEST_START = 80  # characters before the first bracket
+MAX_NAMES = 1000
+MAX_DEPTH = 4  # brackets around a list
+NAME_AT_THE_END = re.compile(r"[^\W\d]\w{0,60}\s{0,9}$")
 ASSIGNED = re.compile(r"([^\W\d]\w{0,60})\s{0,9}=")
 HEAD = re.compile(r"[\w.=\s]*")
 ALLOWED = re.compile(r"[0-9\s.,;eE+\-\u2212\[\](){}nNaAuUlLoOiIfF]*")
@@ -43,12 +46,25 @@ def _grid_of_one(name, rows):
 
 def _statements(body):
     """[(name or "", what stands between the brackets), ...]; empty if something else is there."""
-    starts = list(ASSIGNED.finditer(body))
+    starts = _starts(body)
     if len(starts) < 2:
-        return [_statement(body)] if _statement(body) else []
-    ends = [at.start() for at in starts[1:]] + [len(body)]
-    found = [_statement(body[at.start() : end]) for at, end in zip(starts, ends)]
-    return found if all(found) and starts[0].start() == 0 else []
+        one = _statement(body)
+        return [one] if one else []
+    found = [_statement(body[a:b]) for a, b in zip(starts, [*starts[1:], len(body)])]
+    return found if all(found) and starts[0] == 0 else []
+
+
+def _starts(body):
+    """Where the names before signs of equality begin; none if there are too many of them."""
+    if body.count("=") > MAX_NAMES:
+        return []
+    starts, at = [], body.find("=")
+    while at >= 0:
+        before = body[max(0, at - LONGEST_START) : at]
+        if found := NAME_AT_THE_END.search(before):
+            starts.append(at - len(before) + found.start())
+        at = body.find("=", at + 1)
+    return starts
 
 
 def _statement(text):
@@ -71,8 +87,9 @@ def _rows_of(inside):
     if max(map(inside.count, ", \n;")) > (MAX_CELLS if inside.count("[") > 2 else MAX_READ):
         raise too_long(max(map(inside.count, ", \n;")))
     plain = inside.translate(str.maketrans("({)}", "[[]]"))
-    while plain[:1] == "[" and plain[-1:] == "]" and _is_around(plain):
-        plain = plain[1:-1].strip()
+    for _ in range(MAX_DEPTH):
+        if plain[:1] == "[" and plain[-1:] == "]" and _is_around(plain):
+            plain = plain[1:-1].strip()
     if "[" in plain:
         parts = [part.partition("[")[2] for part in plain.split("]") if "[" in part]
     else:

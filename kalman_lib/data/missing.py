@@ -77,4 +77,4 @@ def doubted(counts):
 
 
 def _listed(counts):
-    return ", ".join(f"{code:g} ({count}x)" for code, count in counts.items())
+    return ", ".join(f"{code:.15g} ({count}x)" for code, count in counts.items())

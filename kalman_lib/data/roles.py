@@ -28,7 +28,7 @@ def roles(columns, units, heads, moments):
 
 def measurement_in(names, heads, words=VALUE_WORDS):
     """The first column whose name says that it is measured; else the first one."""
-    named = [name for name in names if names_measurement(heads[name], words | {"t"})]
+    named = [name for name in names if names_measurement(heads[name], words)]
     others = [name for name in names if not names_side(heads[name])]
     return next(iter(named or others or names), None)
 

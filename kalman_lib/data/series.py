@@ -41,7 +41,7 @@ def _check_order(stamps, lines):
     back = np.flatnonzero(np.diff(stamps) < 0)
     if len(back):
         at = int(back[0]) + 1
-        now, before = f"{stamps[at]:.17g}", f"{stamps[at - 1]:.17g}"
+        now, before = f"{stamps[at]:.15g}", f"{stamps[at - 1]:.15g}"
         raise InputError(
             f"Line {lines[at]}: the time goes back, {now} after {before}.",
             f"Baris {lines[at]}: waktunya mundur, {now} setelah {before}.",

@@ -8,6 +8,7 @@ from . import lists
 from . import missing as gaps
 from .block import find
 from .build import columns_of
+from .cells import shown
 from .errors import InputError
 from .grid import split
 from .limits import MAX_BYTES, MAX_READ, too_large, too_long
@@ -159,7 +160,7 @@ def _table_of(grid, decimal, codes, remarks):
         raise no_numbers()
     time, value = roles(columns, units, heads, moments)
     near = set(block.passed[:LINES_OF_CODES] + block.passed[-LINES_OF_CODES:])
-    passed = [" ".join(map(str, cells)) for line, cells in grid if line in near]
+    passed = [" ".join(map(shown, cells)) for line, cells in grid if line in near]
     counts, told = _without_codes(columns, units, time, heads, codes, gaps.codes_in(passed))
     if time and time not in units and epoch_unit(columns[time]):
         units[time] = epoch_unit(columns[time])

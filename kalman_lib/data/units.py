@@ -47,7 +47,7 @@ SPEED_WORDS = set("v speed velocity kecepatan laju kec".split())
 VALUE_WORDS = SPEED_WORDS | set(
     "suhu temp temperature temperatur z y value nilai measurement measured terukur pengukuran data "
     "reading level tinggi height jarak distance posisi position tekanan pressure humidity rh "
-    "kelembapan kelembaban debit flow gaya force voltage tegangan volume berat massa".split()
+    "kelembapan kelembaban debit flow gaya force voltage tegangan volume berat massa t".split()
 )
 SIDE_WORDS = set(
     "lat latitude lintang lon long lng longitude bujur flag status quality battery baterai sat "

@@ -1,4 +1,4 @@
-"""What the kernel does for an explorer: it reads workbooks and recordings, and writes workbooks.
+"""What the kernel does for an explorer: it reads recordings and writes workbooks.
 
 Twin of book/explorers/jupyter/kernel.js, which asks. Arrays travel as buffers of float64.
 """
@@ -8,14 +8,7 @@ import io
 import numpy as np
 
 from ..data import InputError, read_recording, rest_seconds, write_workbook
-from ..data.table import read_named
 
-DECIMAL = {
-    "comma": ",",
-    "point": ".",
-    ",": ",",
-    ".": ".",
-}  # what the explorers call the decimal signs
 XLSX = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"
 NO_REST = InputError(
     "This recording does not begin at rest. Let the phone lie still for a few seconds, then start.",
@@ -34,34 +27,11 @@ def answer(question, buffers):
         if question.get("write") == "workbook":
             return written(question, contents)
         files = dict(zip(question["names"], contents))
-        if question["read"] == "recording":
-            return recording(files)
-        return table(files, question)
+        return recording(files)
     except InputError as error:
         return {"error": {"id": error.id, "en": error.en}}, []
     except Exception as error:  # the reader must see it, too
         return {"error": {"id": str(error) or repr(error), "en": str(error) or repr(error)}}, []
-
-
-def table(files, question):
-    """The columns of a workbook; what readTable of the page gives of other files."""
-    ((name, content),) = files.items()
-    decimal = DECIMAL.get(question.get("sign"))
-    found = read_named(name, content, question.get("sheet"), decimal, question.get("missing"))
-    message = {
-        "columns": list(found.columns),
-        "lines": found.lines.tolist(),
-        "units": found.units,
-        "time": found.time,
-        "value": found.value,
-        "codes": [[code, count] for code, count in found.codes.items()],
-        "sheet": found.sheet,
-        "sheets": list(found.sheets),
-        "decimal": found.decimal,
-        "skipped": list(found.skipped),
-        "notes": found.notes,
-    }
-    return message, [as_buffer(column) for column in found.columns.values()]
 
 
 def recording(files):
