@@ -124,6 +124,14 @@ def test_outliers_are_named_and_the_gate_mends_them(bundle):
     assert said.startswith("The filter passes") and "left out 14 measurements" in said
 
 
+def test_a_gate_that_leaves_out_too_much_is_named(bundle):
+    """A ramp seen by a filter that holds it for a constant: the gate keeps it from learning."""
+    rng = np.random.default_rng(1)
+    data = {"t": np.arange(100.0), "z": np.arange(100.0) + rng.normal(0, 0.1, 100)}
+    said = verdict(bundle, data, pattern=1, R=0.01, gate=True)
+    assert said.startswith("The gate leaves too much out")
+
+
 def test_a_pattern_that_does_not_suit_is_named(bundle):
     """A swing of 12 samples, seen by a random walk: no noise makes its innovations white."""
     rng = np.random.default_rng(1)

@@ -19,7 +19,7 @@ CASES = {
 }
 WRITTEN = SHOWN.replace(
     "const plain =",
-    "return btoa(Array.from(_.writeWorkbook(r), b => String.fromCharCode(b)).join('')); const plain =",
+    "return btoa(String.fromCharCode(..._.writeWorkbook(r))); const plain =",
 )
 COLUMNS = "ABCDEFGHIJKL"
 

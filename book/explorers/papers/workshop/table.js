@@ -3,7 +3,7 @@ import { readBrought } from "../../files/table.js";
 import { InputError } from "../../language/input.js";
 import { WRONG } from "./words.js";
 
-const TIME = /^(t|time|waktu|detik|seconds?|s|jam|tanggal|date|k|no)\b/i;
+const TIME = /^(t|time|waktu|detik|seconds?|s|ms|menit|minutes?|jam|hours?|hari|days?|tahun|years?|k|no)\b/i;
 const LEAST_ROWS = 10;
 
 /** Has the reader brought data? */
@@ -19,7 +19,7 @@ export function tableFrom({ text, file, sign }) {
   if (!key.every((value, i) => value === last.key[i])) {
     last = { key, table: null };
     const read = readBrought({ text, file }, sign === "auto" ? null : sign);
-    last.table = { ...read, ...choice([...read.columns.keys()]) };
+    last.table = { ...read, ...choice(read.columns) };
   }
   if (!last.table) {
     throw new InputError(WRONG.unread);
@@ -31,9 +31,13 @@ export function tableFrom({ text, file, sign }) {
   return last.table;
 }
 
-/** Which columns are taken at first: a time by its name, and the next two. */
-function choice(names) {
-  const time = names.length > 1 ? names.find((name) => TIME.test(name)) : undefined;
+/** Which columns are taken at first: a time, by its name or because it only grows, and the next two. */
+function choice(columns) {
+  const names = [...columns.keys()];
+  const grows = (values) => values.every((value, k) => k === 0 || value > values[k - 1]);
+  const named =
+    names.find((name) => TIME.test(name)) ?? (grows(columns.get(names[0])) ? names[0] : undefined);
+  const time = names.length > 1 ? named : undefined;
   const others = names.filter((name) => name !== time);
   return { time, value: others[0], value2: others[1] };
 }

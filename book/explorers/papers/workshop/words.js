@@ -168,6 +168,10 @@ export const VERDICT = {
     id: "Dengan derau yang paling mungkin filter ini lulus: NIS {nis}, dan inovasinya putih.",
     en: "With the most likely noise the filter passes: NIS {nis}, and its innovations are white.",
   },
+  shut: {
+    id: "Gerbangnya menolak terlalu banyak, jadi itu bukan pencilan: bukalah dahulu, lalu perbaiki pola dan derau.",
+    en: "The gate leaves too much out to be outliers: open it first, and mend the pattern and the noise.",
+  },
   unlikely: {
     id: "Kedua pemeriksaan lulus (NIS {nis}), tetapi menurut data ini ada derau yang jauh lebih mungkin.",
     en: "Both tests pass (NIS {nis}), but by this data another noise is far more likely.",
@@ -232,6 +236,7 @@ export const FACTS = {
   above: { id: "di atas 0,01", en: "above 0.01" },
   likely: { id: "{likely} (paling mungkin)", en: "{likely} (most likely)" },
   rmse: { id: "RMSE terhadap nilai sebenarnya", en: "RMSE against the truth" },
+  bias: { id: "Bias di akhir, ± 2σ", en: "The bias at the end, ± 2σ" },
   average: { id: "rataan bergerak: {far}", en: "moving average: {far}" },
   sensor: { id: "sensor saja: {far}", en: "sensor alone: {far}" },
 };
