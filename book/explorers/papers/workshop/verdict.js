@@ -9,11 +9,11 @@ const SHUT = 0.15; // the share of measurements that are no outliers any more if
 /** The sentences about the filter of r: does it fit, and if not, why? */
 export function verdict(r, s, t) {
   const { judged, found } = r;
-  if (judged.dof < LEAST) {
-    return [t.say(VERDICT.few)];
-  }
   if (r.lefts > SHUT * (r.lefts + judged.dof)) {
     return [t.say(VERDICT.shut)];
+  }
+  if (judged.dof < LEAST) {
+    return [t.say(VERDICT.few)];
   }
   const values = { nis: judged.nis };
   if (judged.fits && r.unlikely) {
