@@ -169,7 +169,7 @@ export const VERDICT = {
     en: "With the most likely noise the filter passes: NIS {nis}, and its innovations are white.",
   },
   shut: {
-    id: "Gerbang menolak terlalu banyak, jadi itu bukan pencilan: bukalah dahulu, perbaiki pola dan deraunya.",
+    id: "Gerbang menolak terlalu banyak untuk disebut pencilan: bukalah dahulu, perbaiki pola dan deraunya.",
     en: "The gate leaves too much out to be outliers: open it first, and mend the pattern and the noise.",
   },
   unlikely: {
