@@ -18,7 +18,7 @@ PAGE = """<!doctype html><html lang="{language}"><meta charset="utf-8">
 <meta name="viewport" content="width=device-width"><title>.</title>
 <link rel="stylesheet" href="core.css">
 <kalman-explorer paper="workshop"></kalman-explorer>
-<script src="core.js"></script><script src="workshop.js"></script>"""
+{scripts}"""
 SEEN = """e => [...e.querySelectorAll('.explorer-controls > .explorer-control')].filter(
   part => part.offsetParent && !part.querySelector('[aria-pressed]')).length"""
 WORDS = {
@@ -65,7 +65,9 @@ def folder(tmp_path_factory):
     made = tmp_path_factory.mktemp("pages")
     for language in WORDS:
         explorers.bundle(made / language, language)
-        text = PAGE.format(language=language)
+        names = explorers.scripts(["workshop"])
+        scripts = "".join(f'<script src="{name}.js"></script>' for name in names)
+        text = PAGE.format(language=language, scripts=scripts)
         (made / language / "page.html").write_text(text, encoding="utf-8")
     return made
 

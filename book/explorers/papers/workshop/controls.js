@@ -1,4 +1,5 @@
 // The controls of the workshop. They come in five groups, one at a time: that is enough for a small screen.
+import { sensorControl } from "../../sensors/control.js";
 import { chosenColumns, columnNames, isOwn } from "./table.js";
 import { patternFor, startingNoise, usesSecond } from "./data.js";
 import { START_F, START_H, readMatrices } from "./matrices.js";
@@ -50,7 +51,7 @@ function columnChoice(name, more, visible = () => true) {
     default: "",
     ...CONTROLS[name],
     visible: inGroup("data", (s) => isOwn(s) && visible(s)),
-    options: () => [...more, ...columnNames().map((column) => [column, { id: column, en: column }])],
+    options: (s) => [...more, ...columnNames(s).map((column) => [column, { id: column, en: column }])],
   };
 }
 
@@ -68,7 +69,11 @@ const dataControls = [
     ...CONTROLS.text,
     placeholder: CONTROLS.placeholder,
     visible: inGroup("data"),
-    also: (text, s) => ({ file: null, ...chosenColumns({ ...s, text, file: null }) }),
+    also: (text, s) => ({
+      motion: null,
+      file: null,
+      ...chosenColumns({ ...s, motion: null, text, file: null }),
+    }),
   },
   {
     kind: "file",
@@ -82,10 +87,15 @@ const dataControls = [
       what: "table",
     },
     visible: inGroup("data"),
-    also: (file, s) => ({ text: null, ...chosenColumns({ ...s, text: null, file }) }),
+    also: (file, s) => ({
+      motion: null,
+      text: null,
+      ...chosenColumns({ ...s, motion: null, text: null, file }),
+    }),
   },
-  columnChoice("time", [["", CONTROLS.no_time]]),
-  columnChoice("value", []),
+  sensorControl({ name: "motion", visible: inGroup("data") }),
+  columnChoice("time", [["", CONTROLS.no_time]], (s) => !s.motion),
+  columnChoice("value", [["", CONTROLS.first_column]]),
   columnChoice("value2", [["", CONTROLS.no_second]], wantsSecond),
   {
     name: "factor",
@@ -103,18 +113,18 @@ const dataControls = [
     default: "auto",
     ...CONTROLS.sign,
     options: signs,
-    visible: inGroup("data", isOwn),
+    visible: inGroup("data", (s) => isOwn(s) && !s.motion),
   },
   {
     name: "dt",
     symbol: "Δt",
     min: 0.01,
     max: 100,
-    visible: inGroup("data", (s) => !isOwnPattern(s) && (isMadeUp(s) || s.time === "")),
+    visible: inGroup("data", (s) => !isOwnPattern(s) && (isMadeUp(s) || (!s.motion && s.time === ""))),
   },
   {
     kind: "buttons",
-    items: [{ ...CONTROLS.back, set: { text: null, file: null } }],
+    items: [{ ...CONTROLS.back, set: { motion: null, text: null, file: null } }],
     visible: inGroup("data", isOwn),
   },
   {

@@ -21,7 +21,7 @@ const HOLE = [55, 75]; // the steps without a measurement
  * shown, and where its filter starts; memo keeps it while nothing about it changes.
  */
 export function load(s, memo) {
-  const own = [s.text, s.file, s.sign, s.time, s.value, s.value2, s.factor];
+  const own = [s.motion, s.text, s.file, s.sign, s.time, s.value, s.value2, s.factor];
   const key = [s.seed, s.pattern, s.second, s.bias, s.dt, s.F, s.H, s.dirty, s.hole, ...own];
   if (!memo.key?.every((value, i) => value === key[i])) {
     const matrices = s.pattern === PATTERN.OWN ? readMatrices(s.F, s.H) : { F: OWN_F, H: OWN_H };
@@ -128,7 +128,7 @@ function withoutGaps(u) {
 
 /** {t, dt}: from the time column, or evenly spaced. dt (T): the step before each row; null: all are s.dt. */
 function timesOf(s, table, T) {
-  const t = table.columns.get(s.time);
+  const t = table.columns.get(s.motion ? table.time : s.time);
   if (!t) {
     const dt = s.pattern === PATTERN.OWN ? 1 : s.dt;
     return { t: Float64Array.from({ length: T }, (_, k) => k * dt), dt: null };

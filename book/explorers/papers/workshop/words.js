@@ -31,6 +31,10 @@ export const NOTES = {
     id: "Datanya sintetis, dibuat menurut pola itu.",
     en: "The data is synthetic, made by that pattern.",
   },
+  recorded: {
+    id: "Data dari sensor perangkat ini: percepatan (acc) dalam m/s², laju putar (gyr) dalam °/s.",
+    en: "Data of this device's sensors: acceleration (acc) in m/s², rate of turn (gyr) in °/s.",
+  },
 };
 
 export const WRONG = {
@@ -89,6 +93,7 @@ export const CONTROLS = {
   time: { id: "Kolom waktu", en: "Column of the time" },
   no_time: { id: "tidak ada: jarak antarbaris sama", en: "none: the rows are evenly spaced" },
   value: { id: "Kolom besaran yang diukur", en: "Column of the measured quantity" },
+  first_column: { id: "yang pertama", en: "the first one" },
   value2: { id: "Kolom kedua", en: "The second column" },
   no_second: { id: "belum dipilih", en: "not chosen yet" },
   factor: { id: "kolom kedua dikalikan dengan", en: "the second column is multiplied by" },
