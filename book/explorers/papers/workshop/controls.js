@@ -203,8 +203,8 @@ const noise = { min: 1e-6, max: 1e6 };
 const noiseControls = [
   { kind: "check", name: "likely", default: false, ...CONTROLS.likely, visible: inGroup("noise") },
   {
-    name: "Qc",
-    symbol: "Q_c",
+    name: "q",
+    symbol: "q",
     min: 1e-9,
     max: 1e3,
     visible: inGroup("noise", (s) => byHand(s) && s.pattern !== PATTERN.CONSTANT),

@@ -8,7 +8,7 @@ import { isOwn, tableFrom } from "./table.js";
 import { NOTES, WRONG } from "./words.js";
 
 // The noise in made-up data, by pattern; that of the sensors is the same for all
-const TRUE_QC = [NaN, 0.01, 1, 0.01, 1e-5, 0.1];
+const TRUE_Q = [NaN, 0.01, 1, 0.01, 1e-5, 0.1];
 const TRUE_R = 9;
 const TRUE_R2 = 1;
 
@@ -47,7 +47,7 @@ function startOf(s, { z, m }) {
 // --- made up -----------------------------------------------------------------------------------------------
 
 function madeUp(s, { F, H }) {
-  const truth = { ...s, Qc: TRUE_QC[s.pattern], R: TRUE_R, R2: TRUE_R2, x0: 0, P0: 1 };
+  const truth = { ...s, q: TRUE_Q[s.pattern], R: TRUE_R, R2: TRUE_R2, x0: 0, P0: 1 };
   const { z, x, u } = simulate(truth, generator(s.seed), STEPS, F, H);
   const m = z.length / STEPS;
   if (s.dirty) {
@@ -73,7 +73,7 @@ function addOutliers(z, m, rng) {
 
 /** The noise that a pattern starts with. */
 export function startingNoise(pattern) {
-  return { Qc: TRUE_QC[pattern] };
+  return { q: TRUE_Q[pattern] };
 }
 
 /** A second column about a rate needs a pattern that has it. */

@@ -86,7 +86,7 @@ function facts(r, s, t) {
   ];
   for (const [name, value] of Object.entries(found?.values ?? {})) {
     const likely = found.none.includes(name) ? 0 : value;
-    rows.push([{ Qc: "Q_c", R: "R", R2: "R_2" }[name], t.decimal(p[name]), t.say(FACTS.likely, { likely })]);
+    rows.push([{ q: "q", R: "R", R2: "R_2" }[name], t.decimal(p[name]), t.say(FACTS.likely, { likely })]);
   }
   rows.push(...aboutBias(r, t), ...againstTruth(r, t));
   return { head: [t.say(FACTS.test), t.say(FACTS.here), t.say(FACTS.wanted)], rows };

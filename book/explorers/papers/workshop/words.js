@@ -140,7 +140,7 @@ export const CODE = {
 };
 
 export const NOISES = {
-  Qc: "Q_c",
+  q: "q",
   R: "R",
   R2: "R_2",
 };
