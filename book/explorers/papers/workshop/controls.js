@@ -201,7 +201,17 @@ const byHand = (s) => !s.likely;
 const noise = { min: 1e-6, max: 1e6 };
 
 const noiseControls = [
-  { kind: "check", name: "likely", default: false, ...CONTROLS.likely, visible: inGroup("noise") },
+  {
+    kind: "select",
+    name: "likely",
+    default: false,
+    ...CONTROLS.likely,
+    options: [
+      [false, CONTROLS.by_hand],
+      [true, CONTROLS.most_likely],
+    ],
+    visible: inGroup("noise"),
+  },
   {
     name: "q",
     symbol: "q",
