@@ -124,7 +124,7 @@ def test_the_core_and_one_paper_are_small(language, site):
     rooms = {room: sizes.pop(f"{room}.js") for room in explorers_to_bundle.ROOMS}
     assert set(sizes) == {f"{paper}.js" for paper in PAPERS}
     assert core + max(sizes.values()) <= 45_000, (core, sizes)
-    assert max(rooms.values()) <= 20_000, rooms  # only where a paper uses them
+    assert max(rooms.values()) <= 25_000, rooms  # only where a paper uses them
 
 
 @pytest.mark.parametrize("language, other", [("id", "en"), ("en", "id")])
