@@ -238,7 +238,7 @@ def test_one_wrong_sign_is_found(name, tmp_path, chromium):
     file.write_text(with_a_wrong_sign(file), encoding="utf-8")
     explorers_to_bundle.bundle(tmp_path, "en", sources)
     page = chromium.new_page()
-    for script in ("core", name):
+    for script in explorers_to_bundle.scripts([name]):
         page.add_script_tag(path=tmp_path / f"{script}.js")
     assert next(differences(name, page), None) is not None
     page.close()

@@ -11,11 +11,11 @@ from kalman_lib.papers import workshop
 
 Params = workshop.Params
 PATTERNS = [
-    dict(pattern=pattern, second=second, bias=bias, Qc={1: 1, 2: 1, 3: 0.01, 4: 1e-5}[pattern])
+    dict(pattern=pattern, second=second, bias=bias, q={1: 1, 2: 1, 3: 0.01, 4: 1e-5}[pattern])
     for pattern, second, bias in itertools.product((1, 2, 3, 4), (1, 2, 3, 4, 5), (0, 1))
     if not (second == 1 and bias) and not (second in (3, 4) and pattern < second)
 ]
-PATTERNS.append(dict(pattern=OWN, Qc=0.1))
+PATTERNS.append(dict(pattern=OWN, q=0.1))
 WAYS = [
     {},
     dict(uneven=True),
@@ -75,13 +75,13 @@ def test_the_page_agrees_with_the_module_on_uneven_steps_and_own_matrices(bundle
 
 
 def test_the_csv_holds_what_went_in_and_what_came_out(bundle, tmp_path):
-    p = Params(pattern=2, second=5, Qc=1)
+    p = Params(pattern=2, second=5, q=1)
     data = own_data(p, uneven=True, gaps=True)
-    page = shown(bundle, pattern=2, second=5, Qc=1, factor=-2, **pasted(data))
+    page = shown(bundle, pattern=2, second=5, q=1, factor=-2, **pasted(data))
     path = tmp_path / "a.csv"
     path.write_text(page["csv"], newline="")
     table = np.genfromtxt(path, delimiter=",", names=True)
-    np.testing.assert_array_equal(table["t"], data["t"])
+    np.testing.assert_allclose(table["t"], data["t"] - data["t"][0], rtol=1e-14)
     np.testing.assert_array_equal(table["z"], data["z"])
     np.testing.assert_array_equal(table["u"], -2 * data["w"])
     np.testing.assert_array_equal(table["x_1"], page["x"][:, 0])

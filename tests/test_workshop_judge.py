@@ -11,14 +11,14 @@ Params = workshop.Params
 AGREE = 1e-5  # of a noise: so near are the page and tuning.fit
 CASES = {
     "constant": dict(pattern=1),
-    "walk": dict(pattern=2, Qc=1),
+    "walk": dict(pattern=2, q=1),
     "velocity": dict(pattern=3),
     "velocity, uneven": dict(pattern=3),
-    "acceleration": dict(pattern=4, Qc=1e-3),
-    "own": dict(pattern=OWN, Qc=0.1),
-    "walk, two sensors": dict(pattern=2, second=2, Qc=1),
+    "acceleration": dict(pattern=4, q=1e-3),
+    "own": dict(pattern=OWN, q=0.1),
+    "walk, two sensors": dict(pattern=2, second=2, q=1),
     "velocity, its sensor and bias": dict(pattern=3, second=3, bias=1),
-    "walk, input and bias": dict(pattern=2, second=5, bias=1, Qc=1),
+    "walk, input and bias": dict(pattern=2, second=5, bias=1, q=1),
 }
 
 
@@ -54,17 +54,17 @@ def test_the_most_likely_noise_is_that_of_tuning_fit(name, bundle):
 
 
 def test_without_process_noise_the_page_says_so(bundle):
-    """Up and down around a straight line: tuning.fit stops at the bound of Q_c."""
+    """Up and down around a straight line: tuning.fit stops at the bound of q."""
     t = np.arange(100.0)
     data = {"t": t, "z": 2 * t + np.where(t % 2 == 0, 1, -1)}
 
-    def line(Qc, R):
-        F, Q = discretise([[0, 1], [0, 0]], np.diag([0, Qc]), 1)
+    def line(q, R):
+        F, Q = discretise([[0, 1], [0, 0]], np.diag([0, q]), 1)
         return LinearModel(F=F, H=[[1, 0]], Q=Q, R=R, x0=[1, 0], P0=4e4 * np.eye(2))
 
-    assert fit(line, {"Qc": 0.01, "R": 9}, data["z"]).at_bound == ("Qc",)
-    page = shown(bundle, pattern=3, search=True, Qc=10, R=1, **pasted(data))
-    assert "Q_c is too large: this data can do without it." in page["verdict"]
+    assert fit(line, {"q": 0.01, "R": 9}, data["z"]).at_bound == ("q",)
+    page = shown(bundle, pattern=3, search=True, q=10, R=1, **pasted(data))
+    assert "q is too large: this data can do without it." in page["verdict"]
 
 
 def test_the_numbers_of_the_judgement_are_those_of_python(bundle):
@@ -90,7 +90,7 @@ def verdict(bundle, data, **state):
 
 @pytest.fixture(scope="module")
 def track():
-    return own_data(Params(), steps=400)  # Q_c 0.01, R 9
+    return own_data(Params(), steps=400)  # q 0.01, R 9
 
 
 def test_a_right_filter_passes(bundle, track):
@@ -102,9 +102,9 @@ def test_a_right_filter_passes(bundle, track):
     [
         (dict(R=3), ["too sure", "R is about three times too small."]),
         (dict(R=90), ["too cautious", "R is about ten times too large."]),
-        (dict(Qc=1e-5), ["too sure", "Q_c is about 500 times too small."]),
-        (dict(Qc=1e-7), ["too sure", "Q_c is more than a thousand times too small."]),
-        (dict(Qc=2), ["Q_c is about", "times too large."]),
+        (dict(q=1e-5), ["too sure", "q is about 500 times too small."]),
+        (dict(q=1e-7), ["too sure", "q is more than a thousand times too small."]),
+        (dict(q=2), ["q is about", "times too large."]),
     ],
 )
 def test_what_is_wrong_with_the_noise_is_named(state, words, bundle, track):
@@ -113,8 +113,8 @@ def test_what_is_wrong_with_the_noise_is_named(state, words, bundle, track):
 
 
 def test_a_noise_far_from_the_likely_one_is_named_although_both_tests_pass(bundle):
-    said = shown(bundle, search=True, Qc=1)["verdict"]  # the made-up data of the page, Q_c 0.01
-    assert "another noise is far more likely. Q_c is about 100 times too large." in said
+    said = shown(bundle, search=True, q=1)["verdict"]  # the made-up data of the page, q 0.01
+    assert "another noise is far more likely. q is about 100 times too large." in said
 
 
 def test_outliers_are_named_and_the_gate_mends_them(bundle):
@@ -122,6 +122,14 @@ def test_outliers_are_named_and_the_gate_mends_them(bundle):
     assert "are far larger than the others: try the gate" in verdict(bundle, data)
     said = verdict(bundle, data, gate=True)
     assert said.startswith("The filter passes") and "left out 14 measurements" in said
+
+
+def test_a_gate_that_leaves_out_too_much_is_named(bundle):
+    """A ramp seen by a filter that holds it for a constant: the gate keeps it from learning."""
+    rng = np.random.default_rng(1)
+    data = {"t": np.arange(100.0), "z": np.arange(100.0) + rng.normal(0, 0.1, 100)}
+    said = verdict(bundle, data, pattern=1, R=0.01, gate=True)
+    assert said.startswith("The gate leaves too much out")
 
 
 def test_a_pattern_that_does_not_suit_is_named(bundle):
@@ -195,9 +203,9 @@ def test_data_that_cannot_be_used_is_refused_in_a_sentence(bundle):
     t, z = np.arange(12.0), np.arange(12.0)
     good = {"t": t, "z": z, "w": np.where(t == 4, np.nan, 1.0)}
     for state, columns, sentence in (
-        (dict(second=2), {"t": t, "z": z}, "Choose the second column"),
+        (dict(second=2), {"t": t, "z": z}, "This table has no second column"),
         (dict(second=5), good, "row 5 of the data is empty"),
-        ({}, {"t": np.where(t == 6, 0, t), "z": z}, "does not increase at row 7"),
+        ({}, {"t": np.where(t == 6, 0, t), "z": z}, "the time goes back"),
         ({}, {"t": t[:5], "z": z[:5]}, "at least ten rows"),
     ):
         with pytest.raises(Exception, match=sentence):
@@ -206,8 +214,8 @@ def test_data_that_cannot_be_used_is_refused_in_a_sentence(bundle):
 
 def test_a_scalar_model_agrees_with_a_hand_made_one(bundle):
     """Beside the module itself: the random walk with a known input, by the core alone."""
-    data = own_data(Params(pattern=2, second=5, Qc=1))
-    page = shown(bundle, pattern=2, second=5, Qc=0.5, R=4, **pasted(data))
+    data = own_data(Params(pattern=2, second=5, q=1))
+    page = shown(bundle, pattern=2, second=5, q=0.5, R=4, **pasted(data))
     z, u = data["z"], data["w"]
     model = LinearModel(F=1, B=1, H=1, Q=0.5, R=4, x0=z[0], P0=np.ptp(z) ** 2)
     np.testing.assert_allclose(page["x"], kalman_filter(model, z, u).x, rtol=1e-9, atol=1e-9)

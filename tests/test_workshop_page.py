@@ -18,14 +18,14 @@ PAGE = """<!doctype html><html lang="{language}"><meta charset="utf-8">
 <meta name="viewport" content="width=device-width"><title>.</title>
 <link rel="stylesheet" href="core.css">
 <kalman-explorer paper="workshop"></kalman-explorer>
-<script src="core.js"></script><script src="workshop.js"></script>"""
+{scripts}"""
 SEEN = """e => [...e.querySelectorAll('.explorer-controls > .explorer-control')].filter(
   part => part.offsetParent && !part.querySelector('[aria-pressed]')).length"""
 WORDS = {
     "id": dict(
         groups="Data Gerak Derau Periksa Simpan".split(),
         passes="Filter ini lulus",
-        likely="paling mungkin",
+        likely="Besarnya derau",
         three="R kira-kira tiga kali terlalu kecil.",
         keep="Ambil nilainya",
         pattern="Bagaimana besaran itu berubah?",
@@ -41,7 +41,7 @@ WORDS = {
     "en": dict(
         groups="Data Motion Noise Check Save".split(),
         passes="The filter passes",
-        likely="most likely",
+        likely="How much noise",
         three="R is about three times too small.",
         keep="Take these values",
         pattern="How does the quantity change?",
@@ -65,7 +65,9 @@ def folder(tmp_path_factory):
     made = tmp_path_factory.mktemp("pages")
     for language in WORDS:
         explorers.bundle(made / language, language)
-        text = PAGE.format(language=language)
+        names = explorers.scripts(["workshop"])
+        scripts = "".join(f'<script src="{name}.js"></script>' for name in names)
+        text = PAGE.format(language=language, scripts=scripts)
         (made / language / "page.html").write_text(text, encoding="utf-8")
     return made
 
@@ -146,7 +148,7 @@ def test_it_works_at_once_and_shows_few_controls_at_a_time(builder):
 def test_the_noise_by_hand_and_by_likelihood(builder):
     builder.fill("R", "3")
     assert builder.words["three"] in builder.says()
-    builder.check("likely")
+    builder.choose("likely", "true")
     assert "NIS" in builder.says()
     assert builder.element.locator("input[type=range]:visible").count() == 0
     found = builder.element.evaluate("e => e.explorer.r.found.values.R")
@@ -170,7 +172,7 @@ def test_own_data_from_the_table_to_the_program(builder, tmp_path):
     builder.group(4)
     builder.check("gate")
     builder.group(3)
-    builder.check("likely")
+    builder.choose("likely", "true")
     assert "NIS" in builder.says() and builder.numbers("gated").sum() > 5
     builder.group(5)
     builder.download("code", tmp_path)

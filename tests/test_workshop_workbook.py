@@ -11,15 +11,15 @@ from workshop_helpers import SHOWN, own_data, pasted, shown
 from kalman_lib.papers import workshop
 
 CASES = {
-    "walk": (dict(pattern=2, Qc=1), {}),
+    "walk": (dict(pattern=2, q=1), {}),
     "constant": (dict(pattern=1), {}),
-    "uneven": (dict(pattern=2, Qc=1), dict(uneven=True, gaps=True)),
-    "input": (dict(pattern=2, second=5, Qc=1), dict(gaps=True)),
-    "gate": (dict(pattern=2, Qc=1), dict(outliers=True, gaps=True)),
+    "uneven": (dict(pattern=2, q=1), dict(uneven=True, gaps=True)),
+    "input": (dict(pattern=2, second=5, q=1), dict(gaps=True)),
+    "gate": (dict(pattern=2, q=1), dict(outliers=True, gaps=True)),
 }
 WRITTEN = SHOWN.replace(
     "const plain =",
-    "return btoa(Array.from(_.writeWorkbook(r), b => String.fromCharCode(b)).join('')); const plain =",
+    "return btoa(String.fromCharCode(..._.writeWorkbook(r))); const plain =",
 )
 COLUMNS = "ABCDEFGHIJKL"
 
@@ -64,5 +64,5 @@ def test_the_formulas_give_the_numbers_of_the_page(name, workbooks):
 
 def test_the_formulas_are_live(workbooks):
     sheet = load_workbook(workbooks["uneven"][1])["Filter"]
-    assert sheet["G8"].value == "=L7+Qc_*C8" and sheet["I8"].value == "=G8+R_"
+    assert sheet["G8"].value == "=L7+q_*C8" and sheet["I8"].value == "=G8+R_"
     assert sheet["C4"].value == 9

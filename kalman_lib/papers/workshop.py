@@ -49,7 +49,7 @@ class Params:
         1, min=1e-3, max=1e4, step=0.1, unit="s", log=True,
         id="langkah waktu", en="time step",
     )
-    Qc: float = param(
+    q: float = param(
         0.01, min=1e-9, max=1e9, step=0.1, unit="", log=True,
         id="derau proses: seberapa gelisah benda itu", en="process noise: how restless it is",
     )
@@ -84,7 +84,7 @@ def model(p, dt=None, F=OWN_F, H=OWN_H):
         F, H = np.atleast_2d(F), np.atleast_2d(H)
         n, m = len(F), len(H)
         R = np.diag([p.R, p.R2][:m])
-        return LinearModel(F=F, H=H, Q=p.Qc * np.eye(n), R=R, x0=_first(p, n), P0=p.P0 * np.eye(n))
+        return LinearModel(F=F, H=H, Q=p.q * np.eye(n), R=R, x0=_first(p, n), P0=p.P0 * np.eye(n))
     A, Bc, Qc = continuous(p)
     dt = p.dt if dt is None else np.asarray(dt, dtype=float)
     F, Q, B = discretise(A, Qc, dt, Bc)
@@ -108,7 +108,7 @@ def continuous(p):
     A = np.eye(n, k=1)
     Bc = np.eye(n)[:, -1:]
     Qc = np.zeros((n, n))
-    Qc[-1, -1] = 0 if p.pattern == CONSTANT else p.Qc
+    Qc[-1, -1] = 0 if p.pattern == CONSTANT else p.q
     if not has_bias(p):
         return A, Bc, Qc
     drift = -Bc if p.second == DRIVES else np.zeros((n, 1))  # the input is too high by the bias

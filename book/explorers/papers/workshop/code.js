@@ -67,7 +67,7 @@ function aboutOf(r) {
 
 /** Of a model of the reader's own: F and Q of every step. */
 function ownLines({ made, p }) {
-  return [...named("F", rowsOf(made.F, made.n)), `Q = ${p.Qc} * np.eye(${made.n})`];
+  return [...named("F", rowsOf(made.F, made.n)), `Q = ${p.q} * np.eye(${made.n})`];
 }
 
 // --- kalman_lib --------------------------------------------------------------------------------------------
@@ -157,7 +157,7 @@ function stepLines(p) {
   const each = (make) => A.map((_, i) => A.map((_, j) => make(i, j)));
   const F = each((i, j) => (j < order || i === j ? chain(j - i) : driftOf(p, order - i)));
   const Q = each((i, j) => (i < order && j < order ? noiseOf(order - 1 - i, order - 1 - j) : "0"));
-  const Qc = p.pattern === PATTERN.CONSTANT ? 0 : p.Qc;
+  const Qc = p.pattern === PATTERN.CONSTANT ? 0 : p.q;
   const lines = ["h = dt[k]", `F = ${matrixCode(F)}`, `Q = ${Qc} * ${matrixCode(Q)}`];
   if (p.second === SECOND.DRIVES) {
     const B = Array.from({ length: n }, (_, i) => [i < order ? chain(order - i) : "0"]);

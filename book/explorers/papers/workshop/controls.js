@@ -1,5 +1,7 @@
 // The controls of the workshop. They come in five groups, one at a time: that is enough for a small screen.
-import { chosenColumns, columnNames, isOwn } from "./table.js";
+import { ownControls } from "../../files/own.js";
+import { sensorControl } from "../../sensors/control.js";
+import { columnNames, isOwn, isTimed } from "./table.js";
 import { patternFor, startingNoise, usesSecond } from "./data.js";
 import { START_F, START_H, readMatrices } from "./matrices.js";
 import { PATTERN, SECOND } from "./model.js";
@@ -42,51 +44,31 @@ function rowsOfH(s) {
   }
 }
 
-/** A choice among the columns that the reader brought. */
-function columnChoice(name, more, visible = () => true) {
+/** What the reader brings, as in chapters 2 and 4, and which columns of it are used. */
+const brought = ownControls({
+  words: { text: CONTROLS.text, placeholder: CONTROLS.placeholder, value: CONTROLS.value },
+  visible: (s) => isOwn(s) && !s.motion,
+  also: { motion: null, value2: "" },
+  time: true,
+}).map((control) => ({ ...control, visible: inGroup("data", control.visible) }));
+
+/** A choice of one of the columns. */
+function columnChoice(name, first, visible) {
   return {
     kind: "select",
     name,
     default: "",
     ...CONTROLS[name],
-    visible: inGroup("data", (s) => isOwn(s) && visible(s)),
-    options: () => [...more, ...columnNames().map((column) => [column, { id: column, en: column }])],
+    visible: inGroup("data", visible),
+    options: (s) => [["", first], ...columnNames(s).map((column) => [column, { id: column, en: column }])],
   };
 }
 
-const signs = [
-  ["auto", CONTROLS.find_out],
-  [",", CONTROLS.comma],
-  [".", CONTROLS.point],
-];
-
 const dataControls = [
-  {
-    kind: "text",
-    name: "text",
-    rows: 4,
-    ...CONTROLS.text,
-    placeholder: CONTROLS.placeholder,
-    visible: inGroup("data"),
-    also: (text, s) => ({ file: null, ...chosenColumns({ ...s, text, file: null }) }),
-  },
-  {
-    kind: "file",
-    name: "file",
-    ...CONTROLS.file,
-    accept: ".csv,.txt,.tsv",
-    withKernel: {
-      ...CONTROLS.file_for_kernel,
-      accept: ".csv,.txt,.tsv,.xlsx",
-      reads: /\.xlsx$/i,
-      what: "table",
-    },
-    visible: inGroup("data"),
-    also: (file, s) => ({ text: null, ...chosenColumns({ ...s, text: null, file }) }),
-  },
-  columnChoice("time", [["", CONTROLS.no_time]]),
-  columnChoice("value", []),
-  columnChoice("value2", [["", CONTROLS.no_second]], wantsSecond),
+  ...brought,
+  sensorControl({ name: "motion", visible: inGroup("data") }),
+  columnChoice("axis", CONTROLS.first_axis, (s) => Boolean(s.motion)),
+  columnChoice("value2", CONTROLS.next_column, (s) => isOwn(s) && wantsSecond(s)),
   {
     name: "factor",
     ...CONTROLS.factor,
@@ -98,23 +80,15 @@ const dataControls = [
     visible: inGroup("data", (s) => isOwn(s) && wantsSecond(s)),
   },
   {
-    kind: "select",
-    name: "sign",
-    default: "auto",
-    ...CONTROLS.sign,
-    options: signs,
-    visible: inGroup("data", isOwn),
-  },
-  {
     name: "dt",
     symbol: "Δt",
     min: 0.01,
     max: 100,
-    visible: inGroup("data", (s) => !isOwnPattern(s) && (isMadeUp(s) || s.time === "")),
+    visible: inGroup("data", (s) => !isOwnPattern(s) && !isTimed(s)),
   },
   {
     kind: "buttons",
-    items: [{ ...CONTROLS.back, set: { text: null, file: null } }],
+    items: [{ ...CONTROLS.back, set: { motion: null, text: null, file: null } }],
     visible: inGroup("data", isOwn),
   },
   {
@@ -191,10 +165,20 @@ const byHand = (s) => !s.likely;
 const noise = { min: 1e-6, max: 1e6 };
 
 const noiseControls = [
-  { kind: "check", name: "likely", default: false, ...CONTROLS.likely, visible: inGroup("noise") },
   {
-    name: "Qc",
-    symbol: "Q_c",
+    kind: "select",
+    name: "likely",
+    default: false,
+    ...CONTROLS.likely,
+    options: [
+      [false, CONTROLS.by_hand],
+      [true, CONTROLS.most_likely],
+    ],
+    visible: inGroup("noise"),
+  },
+  {
+    name: "q",
+    symbol: "q",
     min: 1e-9,
     max: 1e3,
     visible: inGroup("noise", (s) => byHand(s) && s.pattern !== PATTERN.CONSTANT),

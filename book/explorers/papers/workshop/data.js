@@ -4,11 +4,11 @@ import { inBoth } from "../../language/speaker.js";
 import { generator } from "../../numerics/random.js";
 import { OWN_F, OWN_H, PATTERN, SECOND, STEPS, median, simulate } from "./model.js";
 import { readMatrices } from "./matrices.js";
-import { isOwn, tableFrom } from "./table.js";
+import { columnsFrom, isOwn } from "./table.js";
 import { NOTES, WRONG } from "./words.js";
 
 // The noise in made-up data, by pattern; that of the sensors is the same for all
-const TRUE_QC = [NaN, 0.01, 1, 0.01, 1e-5, 0.1];
+const TRUE_Q = [NaN, 0.01, 1, 0.01, 1e-5, 0.1];
 const TRUE_R = 9;
 const TRUE_R2 = 1;
 
@@ -16,13 +16,18 @@ const OUTLIERS = 0.05; // of the measurements
 const OUTLIER = 20; // standard deviations at most, and half of them at least
 const HOLE = [55, 75]; // the steps without a measurement
 
+/** What the data depends on. */
+const KEYS = [
+  ...["seed", "pattern", "second", "bias", "dt", "F", "H", "dirty", "hole"],
+  ...["motion", "text", "file", "sheet", "sign", "missing", "time", "value", "axis", "value2", "factor"],
+];
+
 /**
  * {t (T), dt (T) or null, z (T m), u (T) or null, truth (T n) or null, F, H, x0, P0, note}: the data that is
  * shown, and where its filter starts; memo keeps it while nothing about it changes.
  */
 export function load(s, memo) {
-  const own = [s.text, s.file, s.sign, s.time, s.value, s.value2, s.factor];
-  const key = [s.seed, s.pattern, s.second, s.bias, s.dt, s.F, s.H, s.dirty, s.hole, ...own];
+  const key = KEYS.map((name) => s[name]);
   if (!memo.key?.every((value, i) => value === key[i])) {
     const matrices = s.pattern === PATTERN.OWN ? readMatrices(s.F, s.H) : { F: OWN_F, H: OWN_H };
     const data = isOwn(s) ? brought(s, matrices.H.length) : madeUp(s, matrices);
@@ -47,7 +52,7 @@ function startOf(s, { z, m }) {
 // --- made up -----------------------------------------------------------------------------------------------
 
 function madeUp(s, { F, H }) {
-  const truth = { ...s, Qc: TRUE_QC[s.pattern], R: TRUE_R, R2: TRUE_R2, x0: 0, P0: 1 };
+  const truth = { ...s, q: TRUE_Q[s.pattern], R: TRUE_R, R2: TRUE_R2, x0: 0, P0: 1 };
   const { z, x, u } = simulate(truth, generator(s.seed), STEPS, F, H);
   const m = z.length / STEPS;
   if (s.dirty) {
@@ -73,7 +78,7 @@ function addOutliers(z, m, rng) {
 
 /** The noise that a pattern starts with. */
 export function startingNoise(pattern) {
-  return { Qc: TRUE_QC[pattern] };
+  return { q: TRUE_Q[pattern] };
 }
 
 /** A second column about a rate needs a pattern that has it. */
@@ -90,32 +95,19 @@ export function usesSecond(s, rows_of_H) {
 }
 
 function brought(s, rows_of_H) {
-  const table = tableFrom(s);
-  const first = table.columns.get(s.value) ?? table.columns.get(table.value);
-  const other = usesSecond(s, rows_of_H) ? secondColumn(s, table) : null;
+  const { t, first, second, note } = columnsFrom(s, usesSecond(s, rows_of_H));
+  const other = second?.map((value) => value * s.factor);
   const isInput = s.pattern !== PATTERN.OWN && s.second === SECOND.DRIVES;
-  const hasTwo = other && !isInput;
-  const z = hasTwo ? new Float64Array(2 * first.length) : first;
-  for (let k = 0; hasTwo && k < first.length; k++) {
-    z[2 * k] = first[k];
-    z[2 * k + 1] = other[k];
+  const m = other && !isInput ? 2 : 1;
+  const z = new Float64Array(m * first.length);
+  for (let k = 0; k < first.length; k++) {
+    z[m * k] = first[k];
+    if (m > 1) {
+      z[m * k + 1] = other[k];
+    }
   }
-  return {
-    ...timesOf(s, table, first.length),
-    z,
-    m: hasTwo ? 2 : 1,
-    u: isInput ? withoutGaps(other) : null,
-    truth: null,
-    note: table.note,
-  };
-}
-
-function secondColumn(s, table) {
-  const found = table.columns.get(s.value2);
-  if (!found) {
-    throw new InputError(WRONG.no_second);
-  }
-  return found.map((value) => value * s.factor);
+  const times = t === null ? evenTimes(s, first.length) : unevenTimes(t);
+  return { ...times, z, m, u: isInput ? withoutGaps(other) : null, truth: null, note };
 }
 
 function withoutGaps(u) {
@@ -126,18 +118,15 @@ function withoutGaps(u) {
   return u;
 }
 
-/** {t, dt}: from the time column, or evenly spaced. dt (T): the step before each row; null: all are s.dt. */
-function timesOf(s, table, T) {
-  const t = table.columns.get(s.time);
-  if (!t) {
-    const dt = s.pattern === PATTERN.OWN ? 1 : s.dt;
-    return { t: Float64Array.from({ length: T }, (_, k) => k * dt), dt: null };
-  }
+/** {t, dt: null}: all steps are s.dt. */
+function evenTimes(s, T) {
+  const dt = s.pattern === PATTERN.OWN ? 1 : s.dt;
+  return { t: Float64Array.from({ length: T }, (_, k) => k * dt), dt: null };
+}
+
+/** {t, dt}: the step before each row; the one before the first is as long as most. */
+function unevenTimes(t) {
   const dt = t.map((value, k) => value - t[k - 1]);
-  const row = dt.findIndex((step, k) => k > 0 && !(step > 0)) + 1;
-  if (row > 0 || Number.isNaN(t[0])) {
-    throw new InputError(inBoth(WRONG.backwards, { row: String(Math.max(row, 1)) }));
-  }
   dt[0] = median(dt.subarray(1));
   return { t, dt };
 }

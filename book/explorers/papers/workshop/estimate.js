@@ -21,10 +21,10 @@ export function evaluate(s, data, found) {
   return { p, result, judged: judge(result) };
 }
 
-/** Which noises are sought: Q_c, R and, with two sensors, R2. */
+/** Which noises are sought: q, R and, with two sensors, R2. */
 function soughtNames({ pattern }, m) {
   const noises = m > 1 ? ["R", "R2"] : ["R"];
-  return pattern === PATTERN.CONSTANT ? noises : ["Qc", ...noises];
+  return pattern === PATTERN.CONSTANT ? noises : ["q", ...noises];
 }
 
 /**
@@ -68,13 +68,13 @@ function sameGaps(a, b) {
   return a.every((value, i) => Number.isNaN(value) === Number.isNaN(b[i]));
 }
 
-/** Logarithms where the search begins: R from differences of neighbours, Q_c from a small share of it. */
+/** Logarithms where the search begins: R from differences of neighbours, q from a small share of it. */
 function startOf(s, { z, m, dt }, names) {
   const typical = dt ? median(dt) : s.dt;
   const variances = Array.from({ length: m }, (_, i) => varianceOfSteps(z, m, i));
   const order = { [PATTERN.VELOCITY]: 3, [PATTERN.ACCELERATION]: 5 }[s.pattern] ?? 1;
   const power = s.pattern === PATTERN.OWN ? 0 : order;
-  const starts = { Qc: (SHARE * variances[0]) / typical ** power, R: variances[0], R2: variances[1] };
+  const starts = { q: (SHARE * variances[0]) / typical ** power, R: variances[0], R2: variances[1] };
   return names.map((name) => Math.log(starts[name]));
 }
 

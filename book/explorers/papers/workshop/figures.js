@@ -90,9 +90,10 @@ function drawCorrelation({ judged }) {
     x.push(i + 1, i + 1, i + 1);
     y.push(0, value, NaN);
   });
+  const reach = Math.max(0.5, ...correlation.map((value) => 1.1 * Math.abs(value) || 0));
   return {
     xlim: [0, correlation.length + 0.5],
-    ylim: [-1, 1],
+    ylim: [-reach, reach],
     layers: [
       {
         look: "band",

@@ -53,7 +53,7 @@ function ownModel(p, noise, F, H) {
   const n = F.length;
   const Q = new Float64Array(n * n);
   for (let i = 0; i < n; i++) {
-    Q[i * n + i] = p.Qc;
+    Q[i * n + i] = p.q;
   }
   const P0 = new Array(n).fill(p.P0);
   const R = noise.slice(0, H.length);
@@ -90,7 +90,7 @@ export function continuous(p) {
     });
   });
   const last = (value) => Array.from({ length: n }, (_, i) => (i === order - 1 ? value : 0));
-  return { order, A, Bc: last(1), Qc: last(p.pattern === PATTERN.CONSTANT ? 0 : p.Qc) };
+  return { order, A, Bc: last(1), Qc: last(p.pattern === PATTERN.CONSTANT ? 0 : p.q) };
 }
 
 /** F of a step: each state is the rate of the one before; a biased input is too high by the bias. */
@@ -127,7 +127,7 @@ function processNoise(p, dt, n, Q) {
     for (let j = 0; j < order; j++) {
       const a = order - 1 - i;
       const b = order - 1 - j;
-      Q[i * n + j] = (p.Qc * dt ** (a + b + 1)) / (factorial(a) * factorial(b) * (a + b + 1));
+      Q[i * n + j] = (p.q * dt ** (a + b + 1)) / (factorial(a) * factorial(b) * (a + b + 1));
     }
   }
 }

@@ -7,7 +7,7 @@ const DIGITS = 6;
 export function question(r, s, t, random) {
   const k = 1 + random.whole(Math.min(FIRST_STEPS, r.T - 1));
   const { S, n, m, P_pred } = r.result;
-  const given = { k: String(k + 1), P_pred: P_pred[k * n * n], R: s.R };
+  const given = { k: String(k + 1), P_pred: P_pred[k * n * n], R: r.p.R };
   const about = {
     text: {
       id: "Langkah {k}: varians prediksi besaran itu {P_pred}, dan R = {R}. Berapa S sensor 1?",

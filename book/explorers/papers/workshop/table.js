@@ -1,54 +1,97 @@
-// The table that a reader pasted or dropped: which of its columns are the time and the measurements.
-import { readBrought } from "../../files/table.js";
+// The table of the reader's own: pasted, opened, or recorded with the sensors of the phone.
+import { broughtTable, chosenColumns, hasBrought, knownTable } from "../../files/own.js";
+import { seriesOf } from "../../files/series.js";
 import { InputError } from "../../language/input.js";
-import { WRONG } from "./words.js";
+import { inBoth } from "../../language/speaker.js";
+import { median } from "./model.js";
+import { NOTES, WRONG } from "./words.js";
 
-const TIME = /^(t|time|waktu|detik|seconds?|s|jam|tanggal|date|k|no)\b/i;
 const LEAST_ROWS = 10;
+const LONG = [
+  ["d", 86400, 40000], // [unit, seconds, from this step on]
+  ["h", 3600, 1000],
+];
 
-/** Has the reader brought data? */
+/** Has the reader brought data, or recorded it? */
 export function isOwn(s) {
-  return Boolean(s.file || s.text?.trim());
+  return Boolean(s.motion) || hasBrought(s);
 }
 
-let last = { key: [], table: null }; // what was read last: the choice of columns needs it, too
+const recordings = new WeakMap(); // {motion: its table}
 
-/** {columns: Map, time: name or undefined, value: name, note}. */
-export function tableFrom({ text, file, sign }) {
-  const key = [text, file, sign];
-  if (!key.every((value, i) => value === last.key[i])) {
-    last = { key, table: null };
-    const read = readBrought({ text, file }, sign === "auto" ? null : sign);
-    last.table = { ...read, ...choice([...read.columns.keys()]) };
+/** A recording of the phone's sensors as a table; an acceleration is taken at first. */
+function recorded(motion) {
+  if (!recordings.has(motion)) {
+    const { T, t, gyr, acc } = motion;
+    const along = (values, i) => Float64Array.from({ length: T }, (_, k) => values[3 * k + i]);
+    const columns = new Map([["t", t.slice(0, T)]]);
+    for (const [name, values] of Object.entries({ acc, gyr })) {
+      ["x", "y", "z"].forEach((axis, i) => columns.set(`${name} ${axis}`, along(values, i)));
+    }
+    const lines = Array.from({ length: T }, (_, k) => k + 1);
+    const about = { time: "t", value: "acc x", units: { t: "s" }, lines, note: NOTES.recorded };
+    recordings.set(motion, { columns, ...about });
   }
-  if (!last.table) {
-    throw new InputError(WRONG.unread);
+  return recordings.get(motion);
+}
+
+/** The table, null if there is none that can be read. */
+function tableOf(s) {
+  return s.motion ? recorded(s.motion) : knownTable(s);
+}
+
+/** The columns that the reader may choose from. */
+export function columnNames(s) {
+  return [...(tableOf(s)?.columns.keys() ?? [])];
+}
+
+/** Does the data come with its times? */
+export function isTimed(s) {
+  const table = isOwn(s) ? tableOf(s) : null;
+  return table !== null && (Boolean(s.motion) || chosenColumns(s, table).time !== null);
+}
+
+/**
+ * {t (T) or null, first (T), second (T) or null, note}: the columns that are used, where rows without a time
+ * are left out and equal times averaged.
+ */
+export function columnsFrom(s, needsSecond) {
+  const table = s.motion ? recorded(s.motion) : broughtTable(s);
+  const { time, value } = s.motion ? { time: "t", value: s.axis || table.value } : chosenColumns(s, table);
+  const others = [...table.columns.keys()].filter((name) => name !== time && name !== value);
+  const other = table.columns.has(s.value2) ? s.value2 : others[0];
+  if (needsSecond && !other) {
+    throw new InputError(WRONG.no_second);
   }
-  const [first] = last.table.columns.values();
-  if (first.length < LEAST_ROWS) {
+  const about = { ...table, time };
+  const { t, z, notes } = seriesOf(about, { time, value, unit: "s" }); // in whatever unit it is
+  const second = needsSecond ? seriesOf(about, { time, value: other, unit: "s" }).z : null;
+  if (z.length < LEAST_ROWS) {
     throw new InputError(WRONG.short);
   }
-  return last.table;
+  const [unit, scaled] = inLongUnits(t, table.units[time]);
+  const words = { value, time: time ?? "k", unit: unit ? ` (${unit})` : "", other };
+  const taken = inBoth(needsSecond ? NOTES.taken_two : NOTES.taken, words);
+  return { t: scaled, first: z, second, note: joined([table.note, ...notes.map(ended), taken]) };
 }
 
-/** Which columns are taken at first: a time by its name, and the next two. */
-function choice(names) {
-  const time = names.length > 1 ? names.find((name) => TIME.test(name)) : undefined;
-  const others = names.filter((name) => name !== time);
-  return { time, value: others[0], value2: others[1] };
-}
-
-/** What changes with new data: the columns; data that cannot be read says so when it is used. */
-export function chosenColumns(s) {
-  try {
-    const { time, value, value2 } = tableFrom(s);
-    return { time: time ?? "", value, value2: value2 ?? "" };
-  } catch {
-    return {};
+/** Times in seconds with long steps are told in hours or days: then no number is tiny. */
+function inLongUnits(t, unit) {
+  if (t === null || unit !== "s") {
+    return [unit, t];
   }
+  const step = median(t.subarray(1).map((value, k) => value - t[k]));
+  const found = LONG.find(([, , from]) => step >= from);
+  return found ? [found[0], t.map((value) => value / found[1])] : [unit, t];
 }
 
-/** The columns to choose from. */
-export function columnNames() {
-  return [...(last.table?.columns.keys() ?? [])];
+/** A note as a sentence of its own. */
+function ended(note) {
+  const sentence = (text) => `${text.slice(0, 1).toUpperCase()}${text.slice(1)}.`;
+  return { id: sentence(note.id ?? ""), en: sentence(note.en ?? "") };
+}
+
+function joined(notes) {
+  const inLanguage = (language) => notes.map((note) => note[language]).join(" ");
+  return { id: inLanguage("id"), en: inLanguage("en") };
 }

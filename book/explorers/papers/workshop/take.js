@@ -1,5 +1,5 @@
 // What a reader of chapter 7 takes along: the filter as a program, its numbers, and a workbook.
-import { tooLong } from "../../files/table.js";
+import { tooLong } from "../../files/limits.js";
 import { CSV_NAME, csvText, filterpyCode, kalmanCode } from "./code.js";
 import { writeWorkbook } from "./workbook.js";
 import { TAKE } from "./words.js";

@@ -4,10 +4,14 @@ import { FACTORS, NOISES, VERDICT } from "./words.js";
 const LEAST = 8; // innovations
 const TELLING = 1.5; // a noise so many times too small or too large is named
 const HUGE = 1000;
+const SHUT = 0.15; // the share of measurements that are no outliers any more if the gate leaves them out
 
 /** The sentences about the filter of r: does it fit, and if not, why? */
 export function verdict(r, s, t) {
   const { judged, found } = r;
+  if (r.lefts > SHUT * (r.lefts + judged.dof)) {
+    return [t.say(VERDICT.shut)];
+  }
   if (judged.dof < LEAST) {
     return [t.say(VERDICT.few)];
   }

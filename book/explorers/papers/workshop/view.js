@@ -5,7 +5,7 @@ import { load } from "./data.js";
 import { evaluate, mostLikely } from "./estimate.js";
 import { band, column, plots } from "./figures.js";
 import { isUnlikely } from "./judge.js";
-import { PATTERN } from "./model.js";
+import { PATTERN, hasBias } from "./model.js";
 import { question } from "./questions.js";
 import { verdict } from "./verdict.js";
 import { FACTS, NAME, OUTCOME } from "./words.js";
@@ -31,8 +31,9 @@ function fill(r, s, found) {
   r.z = column(data.z, m, 0);
   r.first = band(r, 0);
   r.average = s.average ? movingAverage(r.z, s.window) : null;
-  r.left = Array.from(r.z.keys()).filter((k) => gated[k * m]);
-  r.left = r.left.slice(0, MOST_MARKS).map((k) => [data.t[k], r.z[k]]);
+  const left = Array.from(r.z.keys()).filter((k) => gated[k * m]);
+  r.left = left.slice(0, MOST_MARKS).map((k) => [data.t[k], r.z[k]]);
+  r.lefts = gated.reduce((sum, value) => sum + value, 0);
   return r;
 }
 
@@ -58,8 +59,8 @@ function movingAverage(z, window) {
 
 function outcome(r, s, t) {
   const sentences = verdict(r, s, t);
-  if (r.left.length > 0) {
-    sentences.push(t.say(OUTCOME.left, { count: String(r.left.length) }));
+  if (r.lefts > 0) {
+    sentences.push(t.say(OUTCOME.left, { count: String(r.lefts) }));
   }
   if (r.found && r.found.rows < r.T && s.likely) {
     sentences.push(t.say(OUTCOME.cut, { rows: String(r.found.rows) }));
@@ -85,10 +86,21 @@ function facts(r, s, t) {
   ];
   for (const [name, value] of Object.entries(found?.values ?? {})) {
     const likely = found.none.includes(name) ? 0 : value;
-    rows.push([{ Qc: "Q_c", R: "R", R2: "R_2" }[name], t.decimal(p[name]), t.say(FACTS.likely, { likely })]);
+    rows.push([{ q: "q", R: "R", R2: "R_2" }[name], t.decimal(p[name]), t.say(FACTS.likely, { likely })]);
   }
-  rows.push(...againstTruth(r, t));
+  rows.push(...aboutBias(r, t), ...againstTruth(r, t));
   return { head: [t.say(FACTS.test), t.say(FACTS.here), t.say(FACTS.wanted)], rows };
+}
+
+/** What the bias has become, and what it is in made-up data. */
+function aboutBias(r, t) {
+  const { n, T } = r.result;
+  if (!hasBias(r.p)) {
+    return [];
+  }
+  const { x, root } = band(r, n - 1);
+  const bias = `${t.decimal(x[T - 1])} ± ${t.decimal(2 * root[T - 1], 2)}`;
+  return [[t.say(FACTS.bias), bias, r.data.truth ? t.decimal(r.data.truth[T * n - 1]) : ""]];
 }
 
 /** For made-up data: how far the estimate is from the truth. */

@@ -31,22 +31,29 @@ export const NOTES = {
     id: "Datanya sintetis, dibuat menurut pola itu.",
     en: "The data is synthetic, made by that pattern.",
   },
+  taken: {
+    id: "Yang disaring: {value}; waktunya: {time}{unit}.",
+    en: "Filtered is {value}; its times are {time}{unit}.",
+  },
+  taken_two: {
+    id: "Yang disaring: {value} dan {other}; waktunya: {time}{unit}.",
+    en: "Filtered are {value} and {other}; their times are {time}{unit}.",
+  },
+  recorded: {
+    id: "Data dari sensor perangkat ini: percepatan (acc) dalam m/s², laju putar (gyr) dalam °/s.",
+    en: "Data of this device's sensors: acceleration (acc) in m/s², rate of turn (gyr) in °/s.",
+  },
 };
 
 export const WRONG = {
   no_second: {
-    id: "Pilihlah kolom kedua, atau jangan pakai kolom kedua di bawah “2 Gerak”.",
-    en: "Choose the second column, or use none below “2 Motion”.",
+    id: "Tabel ini tidak punya kolom kedua: pilihlah “tidak dipakai” di bawah “2 Gerak”.",
+    en: "This table has no second column: choose “not used” below “2 Motion”.",
   },
   gap_in_input: {
     id: "Masukan yang diketahui tidak boleh kosong, tetapi baris data ke-{row} kosong.",
     en: "A known input may have no gap, but row {row} of the data is empty.",
   },
-  backwards: {
-    id: "Waktu tidak bertambah di baris data ke-{row}.",
-    en: "The time does not increase at row {row} of the data.",
-  },
-  unread: { id: "Data itu belum dapat dibaca.", en: "This data could not be read yet." },
   short: {
     id: "Filter memerlukan sedikitnya sepuluh baris data.",
     en: "A filter needs at least ten rows of data.",
@@ -84,18 +91,12 @@ export const CONTROLS = {
     en: "Data of my own: paste a table from a spreadsheet. Nothing leaves this device.",
   },
   placeholder: { id: "waktu\tsuhu\n0\t25,1\n60\t25,3", en: "time\ttemperature\n0\t25.1\n60\t25.3" },
-  file: { id: "atau pilih berkas CSV", en: "or choose a CSV file" },
-  file_for_kernel: { id: "atau pilih berkas CSV atau Excel", en: "or choose a CSV or Excel file" },
-  time: { id: "Kolom waktu", en: "Column of the time" },
-  no_time: { id: "tidak ada: jarak antarbaris sama", en: "none: the rows are evenly spaced" },
   value: { id: "Kolom besaran yang diukur", en: "Column of the measured quantity" },
+  axis: { id: "Kolom besaran yang diukur", en: "Column of the measured quantity" },
+  first_axis: { id: "percepatan sepanjang sumbu x", en: "acceleration along the x axis" },
   value2: { id: "Kolom kedua", en: "The second column" },
-  no_second: { id: "belum dipilih", en: "not chosen yet" },
+  next_column: { id: "kolom berikutnya", en: "the next column" },
   factor: { id: "kolom kedua dikalikan dengan", en: "the second column is multiplied by" },
-  sign: { id: "Tanda desimal", en: "Decimal sign" },
-  find_out: { id: "kenali sendiri", en: "find out" },
-  comma: { id: "koma (1,5)", en: "comma (1,5)" },
-  point: { id: "titik", en: "point (1.5)" },
   back: { id: "Kembali ke data sintetis", en: "Back to synthetic data" },
   new_noise: { id: "Derau baru", en: "New noise" },
   pattern: { id: "Bagaimana besaran itu berubah?", en: "How does the quantity change?" },
@@ -105,7 +106,9 @@ export const CONTROLS = {
   bias: { id: "Bias kolom kedua", en: "Bias of the second column" },
   without_bias: { id: "tidak ada", en: "none" },
   with_bias: { id: "dicari sebagai keadaan tambahan", en: "found, as a further state" },
-  likely: { id: "yang paling mungkin menurut data", en: "the most likely noise, from the data" },
+  likely: { id: "Besarnya derau", en: "How much noise" },
+  by_hand: { id: "atur sendiri", en: "by hand" },
+  most_likely: { id: "yang paling mungkin menurut data", en: "the most likely by the data" },
   keep: { id: "Ambil nilainya, lalu atur sendiri", en: "Take these values and go on by hand" },
   gate: { id: "gerbang: tolak pencilan (99,9%)", en: "gate: leave outliers out (99.9%)" },
   average: { id: "bandingkan dengan rataan bergerak", en: "compare with a moving average" },
@@ -135,7 +138,7 @@ export const CODE = {
 };
 
 export const NOISES = {
-  Qc: "Q_c",
+  q: "q",
   R: "R",
   R2: "R_2",
 };
@@ -167,6 +170,10 @@ export const VERDICT = {
   likely_fits: {
     id: "Dengan derau yang paling mungkin filter ini lulus: NIS {nis}, dan inovasinya putih.",
     en: "With the most likely noise the filter passes: NIS {nis}, and its innovations are white.",
+  },
+  shut: {
+    id: "Gerbang menolak terlalu banyak untuk disebut pencilan: bukalah dahulu, perbaiki pola dan deraunya.",
+    en: "The gate leaves too much out to be outliers: open it first, and mend the pattern and the noise.",
   },
   unlikely: {
     id: "Kedua pemeriksaan lulus (NIS {nis}), tetapi menurut data ini ada derau yang jauh lebih mungkin.",
@@ -232,6 +239,7 @@ export const FACTS = {
   above: { id: "di atas 0,01", en: "above 0.01" },
   likely: { id: "{likely} (paling mungkin)", en: "{likely} (most likely)" },
   rmse: { id: "RMSE terhadap nilai sebenarnya", en: "RMSE against the truth" },
+  bias: { id: "Bias di akhir, ± 2σ", en: "The bias at the end, ± 2σ" },
   average: { id: "rataan bergerak: {far}", en: "moving average: {far}" },
   sensor: { id: "sensor saja: {far}", en: "sensor alone: {far}" },
 };

@@ -9,14 +9,14 @@ const FIRST = 7; // the first row of the table
 const HEIGHTS = { 3: 50, 6: 50 }; // points
 const WIDTHS = [7, 14, 12, 14, 12, 14, 16, 14, 16, 12, 14, 16];
 const NAMES = {
-  Qc_: "Filter!$B$4",
+  q_: "Filter!$B$4",
   R_: "Filter!$C$4",
   x0_: "Filter!$D$4",
   P0_: "Filter!$E$4",
   gate_: "Filter!$F$4",
 };
 const LABELS = [
-  "Qc\nderau proses /\nprocess noise",
+  "q\nderau proses /\nprocess noise",
   "R\nvarians ukur /\nmeasurement var.",
   "x0\ntebakan awal /\ninitial guess",
   "P0\nvarians x0 /\nvariance of x0",
@@ -50,7 +50,7 @@ function texts(words, row, letters, look) {
 
 function topRows({ p, data }) {
   const settings = [
-    number("B4", p.pattern === PATTERN.CONSTANT ? 0 : p.Qc, INPUT),
+    number("B4", p.pattern === PATTERN.CONSTANT ? 0 : p.q, INPUT),
     number("C4", p.R, INPUT),
     number("D4", data.x0, INPUT),
     number("E4", data.P0, INPUT),
@@ -82,7 +82,7 @@ function stepRow({ data, result, p }, k) {
     number(`D${i}`, data.z[k], DATA),
     number(`E${i}`, data.u?.[k] ?? NaN, DATA),
     formula(`F${i}`, `${x_before}+C${i}*E${i}`, x_pred[k], VALUE),
-    formula(`G${i}`, `${P_before}+Qc_*C${i}`, P_pred[k], POWER),
+    formula(`G${i}`, `${P_before}+q_*C${i}`, P_pred[k], POWER),
     formula(`H${i}`, `IF(ISNUMBER(D${i}),D${i}-F${i},"")`, innovation, VALUE),
     formula(`I${i}`, `G${i}+R_`, S[k], POWER),
     formula(`J${i}`, `IF(ISNUMBER(H${i}),IF(${closed},0,G${i}/I${i}),0)`, K[k], GAIN),
