@@ -3,13 +3,16 @@
 // needs of the page it gets from element/controls.js: {make, makeButton, saveFile, setText}.
 import { InputError } from "../language/input.js";
 import { forgetRecordings, keepRecording, keptRecordings, replayed } from "./kept.js";
-import { Live } from "./live.js";
+import { Live, take } from "./live.js";
 import { rateOf, toCsv } from "./recording.js";
 import { REFUSED, SENSORS, STATUS } from "./words.js";
 
 const LONGEST = 120; // s
 
-/** seconds: how long a recording may become. */
+/**
+ * seconds: how long a recording may become; also(motion or null, s) -> {name: value}: what else changes when
+ * a recording ends or is chosen, or is left.
+ */
 export function sensorControl({ name, seconds = LONGEST, ...more }) {
   return { kind: "sensor", name, seconds, default: null, build: buildSensor, ...SENSORS.name, ...more };
 }
@@ -46,13 +49,14 @@ function statusOf({ s, t }, { name }, { isAsking }) {
 }
 
 /** [{element, show()}, ...]: the first one starts and stops, the others are there when there is something. */
-function buttonsOf(explorer, { name }, { makeButton, saveFile, setText }, live) {
+function buttonsOf(explorer, control, { makeButton, saveFile, setText }, live) {
   const { t } = explorer;
+  const { name } = control;
   const main = makeButton(explorer, t.say(SENSORS.start), () => (live.isOn ? live.end() : live.start()));
   const showMain = () => setText(main, t.say(live.isOn ? SENSORS.stop : SENSORS.start));
   const isDone = () => Boolean(explorer.s[name]) && !live.isOn;
   const later = [
-    [SENSORS.back, isDone, () => explorer.change({ [name]: null })],
+    [SENSORS.back, isDone, () => take(explorer, control, null)],
     [SENSORS.keep, isDone, () => keep(explorer, explorer.s[name])],
     [SENSORS.save, isDone, () => saveFile(fileOf(explorer.s[name], t))],
     [SENSORS.forget, () => keptRecordings().length > 0, () => forget(explorer)],
@@ -84,15 +88,15 @@ function forget(explorer) {
 }
 
 /** The recordings that are kept; the one that the reader chooses is replayed. */
-function keptList(explorer, { name }, make) {
+function keptList(explorer, control, make) {
   const { t } = explorer;
-  const id = `${explorer.id}-${name}-kept`;
+  const id = `${explorer.id}-${control.name}-kept`;
   const box = make("select", { id });
   const element = make("div", {}, make("label", { htmlFor: id, textContent: t.say(SENSORS.kept) }), box);
   box.addEventListener("change", () => {
     const motion = replayed(box.value);
     if (motion) {
-      explorer.change({ [name]: motion });
+      take(explorer, control, motion);
     }
   });
   let shown = "";

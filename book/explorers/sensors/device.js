@@ -3,13 +3,14 @@ import { InputError } from "../language/input.js";
 import { headingOf, readingOf, signOf, upOf } from "./units.js";
 import { REFUSED } from "./words.js";
 
-const SILENCE = 2500; // ms without a reading: there is no sensor
+const SILENCE = 4000; // ms without a reading: there is no sensor
 const PATIENCE = 10; // readings that may pass until the device's angles tell the sign of its force
 const ANGLES = ["deviceorientation", "deviceorientationabsolute"];
 
 /**
  * Ask for the sensors (in the tap of the reader: iOS shows its question only then), and hand every reading to
- * hear({t ms, gyr, acc, heading}). Returns what ends it; InputError: there is no sensor, or no permission.
+ * hear({t ms, gyr, acc, heading}), or null when the page is hidden and no more will come. Returns what ends
+ * it; InputError: there is no sensor, or no permission.
  */
 export async function listen(hear) {
   if (!window.isSecureContext) {
@@ -22,6 +23,7 @@ export async function listen(hear) {
   const end = new AbortController();
   await firstReading(hear, end);
   keepAwake(end.signal);
+  document.addEventListener("visibilitychange", () => document.hidden && hear(null), { signal: end.signal });
   return () => end.abort();
 }
 
