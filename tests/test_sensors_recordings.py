@@ -106,6 +106,31 @@ def test_the_csv_is_a_recording_for_python(language, first, laboratory, phone_pa
     assert np.allclose(np.interp(k, read.t, rolls), *acc, atol=1e-6)
 
 
+def test_a_magnetometer_that_a_page_may_read_is_recorded_kept_and_saved(phone_page, tmp_path):
+    phone_page.evaluate("""() => {
+      window.Magnetometer = class {
+        start() {
+          Object.assign(this, { x: 1.5, y: 20.25, z: -38 });
+          this.onreading();
+        }
+        stop() {
+          window.stopped = true;
+        }
+      };
+    }""")
+    element = explorer(phone_page, "gyro")
+    record(element, swinging())
+    assert phone_page.evaluate("stopped")
+    tap(element, "Keep on this phone")
+    element.locator(".explorer-control.sensor select").select_option(index=1)
+    with phone_page.expect_download() as download:
+        tap(element, "Download CSV")
+    path = tmp_path / "sensors.csv"
+    download.value.save_as(path)
+    read = read_recording(path)
+    assert np.allclose(read.mag, [20.25, 1.5, 38]) and len(read.mag) == 600
+
+
 def test_nothing_is_sent_while_sensors_are_read_kept_and_saved(phone_page):
     sent = []
     phone_page.on("request", lambda request: sent.append(request.url))
