@@ -8,6 +8,7 @@ import { rateOf, toCsv } from "./recording.js";
 import { REFUSED, SENSORS, STATUS } from "./words.js";
 
 const LONGEST = 120; // s
+const MINUTE = 60000; // ms
 
 /**
  * seconds: how long a recording may become; also(motion or null, s) -> {name: value}: what else changes when
@@ -76,7 +77,7 @@ function fileOf(motion, { language }) {
 }
 
 function keep(explorer, motion) {
-  if (!keepRecording(motion, new Date().toISOString())) {
+  if (!keepRecording(motion, localTime())) {
     throw new InputError(REFUSED.full);
   }
   explorer.showControls();
@@ -108,7 +109,7 @@ function keptList(explorer, control, make) {
     }
     shown = JSON.stringify(kept);
     const options = kept.map(({ when, seconds }) => {
-      const textContent = t.say(SENSORS.slot, { when: localTime(when), seconds });
+      const textContent = `${when.slice(0, 16)}, ${seconds} s`;
       return make("option", { value: when, textContent });
     });
     box.replaceChildren(make("option", { value: "", textContent: t.say(SENSORS.none) }), ...options);
@@ -116,10 +117,9 @@ function keptList(explorer, control, make) {
   return { element, show };
 }
 
-/** "2026-11-28 14:03" where the reader is. */
-function localTime(when) {
-  const time = new Date(when);
-  const two = (number) => String(number).padStart(2, "0");
-  const day = [time.getFullYear(), two(time.getMonth() + 1), two(time.getDate())].join("-");
-  return `${day} ${two(time.getHours())}:${two(time.getMinutes())}`;
+/** "2026-11-28 14:03:07.125", as clocks show it where the reader is. */
+function localTime() {
+  const now = new Date();
+  const shifted = now.getTime() - MINUTE * now.getTimezoneOffset();
+  return new Date(shifted).toISOString().slice(0, 23).replace("T", " ");
 }

@@ -10,7 +10,6 @@ export const SENSORS = {
   save: { id: "Unduh CSV", en: "Download CSV" },
   kept: { id: "Putar ulang simpanan", en: "Replay a kept recording" },
   none: { id: "pilih", en: "choose" },
-  slot: { id: "{when}, {seconds} s", en: "{when}, {seconds} s" },
 };
 
 export const STATUS = {
