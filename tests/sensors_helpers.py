@@ -35,9 +35,8 @@ def laboratory(folder):
     sources, from which a test may import."""
     for language in ("id", "en"):
         papers = explorers.bundle(folder / language, language)
-        scripts = "".join(
-            f'<script defer src="{language}/{name}.js"></script>' for name in ("core", *papers)
-        )
+        names = explorers.scripts(papers)
+        scripts = "".join(f'<script defer src="{language}/{name}.js"></script>' for name in names)
         (folder / f"{language}.html").write_text(
             f'<!doctype html><html lang="{language}"><meta charset="utf-8"><title>-</title>'
             '<link rel="icon" href="data:,">'
