@@ -156,12 +156,14 @@ REFUSED = {
     "denied": {"en": "Reading the sensors was not allowed", "id": "Izin membaca sensor ditolak"},
     "insecure": {"en": "to https pages only", "id": "hanya kepada halaman https"},
 }
-SYNTHETIC = {"en": "The figure shows synthetic data", "id": "Gambar ini memakai data sintetis"}
+KEEP = {"en": "Keep on this phone", "id": "Simpan di ponsel ini"}
+BACK = {"en": "Back to the synthetic data", "id": "Kembali ke data sintetis"}
+SYNTHETIC = {"en": "A synthetic recording: 30 s", "id": "Rekaman sintetis: 30 s"}
 
 
 @pytest.mark.parametrize("language", ["id", "en"])
 @pytest.mark.parametrize("why", ["none", "denied", "insecure"])
-def test_without_a_sensor_a_sentence_says_so_and_the_synthetic_run_stays(
+def test_without_a_sensor_a_sentence_says_so_and_a_synthetic_recording_is_shown(
     why, language, laboratory, phone_page
 ):
     if why == "insecure":
@@ -185,8 +187,36 @@ def test_without_a_sensor_a_sentence_says_so_and_the_synthetic_run_stays(
         SYNTHETIC[language]
         in element.locator(".explorer-control.sensor .explorer-hint").inner_text()
     )
-    assert element.evaluate("e => e.explorer.s.motion === null && e.explorer.r.walks.length > 5")
+    said = element.locator(".explorer-outcome").inner_text()
+    assert {"en": "This recording is synthetic", "id": "Rekaman ini sintetis"}[language] in said
     assert element.get_by_role("button", name=START[language], exact=True).is_visible()
+    assert element.get_by_role("button", name=KEEP[language], exact=True).is_hidden()
+    tap(element, BACK[language])
+    assert element.evaluate("e => e.explorer.s.motion === null && e.explorer.r.walks.length > 5")
+
+
+def test_the_synthetic_recording_is_a_phone_that_turns_and_comes_back(phone_page):
+    """Its rates without their bias add up to what its force and its compass say."""
+    phone_page.evaluate("DeviceMotionEvent.requestPermission = async () => 'denied'")
+    element = explorer(phone_page, "gyro")
+    tap(element, START["en"])
+    element.locator(".explorer-message").wait_for()
+    motion = motion_of(element)
+    t, rest = motion["t"], motion["t"] <= 5
+    angles = np.cumsum(np.diff(t, prepend=0)[:, np.newaxis] * motion["gyr"], axis=0)
+    bias = motion["gyr"][rest].mean(axis=0)
+    about_x, about_y, about_z = (angles - t[:, np.newaxis] * bias).T
+    x, y, z = motion["acc"].T
+    quiet = (t < 17.5) | (t > 20.5)
+    assert np.abs(about_y + np.degrees(np.arctan2(x, np.hypot(y, z))))[quiet].max() < 4
+    assert np.abs(about_x - np.degrees(np.arctan2(y, np.hypot(x, z))))[quiet].max() < 4
+    turned = motion["heading"] - motion["heading"][rest].mean()
+    assert np.abs(about_z + turned).max() < 15
+    assert max(map(np.ptp, (about_x, about_y, about_z))) == pytest.approx(90, abs=5)
+    alone = next(result_of(element, "alone"))
+    assert abs(alone[-1]) > 5
+    set_state(element, sensor=True)
+    assert abs(next(result_of(element, "x"))[-1]) < abs(alone[-1]) / 2
 
 
 def test_permission_is_asked_in_the_tap_for_both_events(phone_page):

@@ -12,7 +12,7 @@ const MINUTE = 60000; // ms
 
 /**
  * seconds: how long a recording may become; also(motion or null, s) -> {name: value}: what else changes when
- * a recording ends or is chosen, or is left.
+ * a recording ends or is chosen, or is left; example() -> motion: what is shown where there is no sensor.
  */
 export function sensorControl({ name, seconds = LONGEST, ...more }) {
   return { kind: "sensor", name, seconds, default: null, build: buildSensor, ...SENSORS.name, ...more };
@@ -46,7 +46,14 @@ function statusOf({ s, t }, { name }, { isAsking }) {
     rate: t.decimal(Math.round(rateOf(motion))),
     compass: t.say(has_compass ? STATUS.compass : STATUS.no_compass),
   };
-  return `${t.say(motion.live ? STATUS.live : STATUS.recorded, values)} ${stays}`;
+  return `${t.say(STATUS[kindOf(motion)], values)} ${stays}`;
+}
+
+function kindOf({ live, synthetic }) {
+  if (synthetic) {
+    return "example";
+  }
+  return live ? "live" : "recorded";
 }
 
 /** [{element, show()}, ...]: the first one starts and stops, the others are there when there is something. */
@@ -56,9 +63,10 @@ function buttonsOf(explorer, control, { makeButton, saveFile, setText }, live) {
   const main = makeButton(explorer, t.say(SENSORS.start), () => (live.isOn ? live.end() : live.start()));
   const showMain = () => setText(main, t.say(live.isOn ? SENSORS.stop : SENSORS.start));
   const isDone = () => Boolean(explorer.s[name]) && !live.isOn;
+  const isOwn = () => isDone() && !explorer.s[name].synthetic;
   const later = [
     [SENSORS.back, isDone, () => take(explorer, control, null)],
-    [SENSORS.keep, isDone, () => keep(explorer, explorer.s[name])],
+    [SENSORS.keep, isOwn, () => keep(explorer, explorer.s[name])],
     [SENSORS.save, isDone, () => saveFile(fileOf(explorer.s[name], t))],
     [SENSORS.forget, () => keptRecordings().length > 0, () => forget(explorer)],
   ];
@@ -73,7 +81,8 @@ function buttonsOf(explorer, control, { makeButton, saveFile, setText }, live) {
 }
 
 function fileOf(motion, { language }) {
-  return { name: "sensors.csv", type: "text/csv;charset=utf-8", content: toCsv(motion, language) };
+  const name = motion.synthetic ? "sensors-synthetic.csv" : "sensors.csv";
+  return { name, type: "text/csv;charset=utf-8", content: toCsv(motion, language) };
 }
 
 function keep(explorer, motion) {

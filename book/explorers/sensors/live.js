@@ -32,6 +32,7 @@ export class Live {
       this.stop = await listen((reading) => this.hear(reading));
     } catch (error) {
       this.isOn = false;
+      take(this.explorer, this.control, this.control.example?.() ?? null);
       throw error;
     } finally {
       this.isAsking = false;

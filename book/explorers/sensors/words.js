@@ -27,6 +27,10 @@ export const STATUS = {
     id: "Rekaman: {seconds} s, {rate} bacaan per detik, {compass}.",
     en: "Recorded: {seconds} s, {rate} readings a second, {compass}.",
   },
+  example: {
+    id: "Rekaman sintetis: {seconds} s, {rate} bacaan per detik, {compass}.",
+    en: "A synthetic recording: {seconds} s, {rate} readings a second, {compass}.",
+  },
   compass: { id: "dengan kompas", en: "with a compass" },
   no_compass: { id: "tanpa kompas", en: "without a compass" },
 };

@@ -1,6 +1,7 @@
 // The reader's own phone in the view "tilt": as gyroscope, accelerometer and filter see it, with a level
 // and a compass.
 import { sensorControl } from "../../sensors/control.js";
+import { exampleMotion } from "../../sensors/example.js";
 import { size } from "./figures.js";
 import { AXES } from "./model.js";
 import { drawGhosts, drawInstruments } from "./scene.js";
@@ -93,6 +94,9 @@ export function outcome(r, s, t) {
   if (motion.heading.every(Number.isNaN) || !s.compass) {
     sentences.push(t.say(PHONE.no_compass));
   }
+  if (motion.synthetic) {
+    sentences.push(t.say(PHONE.synthetic));
+  }
   return sentences.join(" ");
 }
 
@@ -138,5 +142,9 @@ export const controls = [
   },
   { kind: "check", name: "compass", default: true, ...PHONE.use_compass, visible: hasPhone },
   { kind: "buttons", items: [{ play: "when", seconds: 20, ...PHONE.play }], visible: isRecorded },
-  sensorControl({ name: "motion", also: (motion) => ({ when: motion ? lastTime(motion) : PUSH }) }),
+  sensorControl({
+    name: "motion",
+    example: exampleMotion,
+    also: (motion) => ({ when: motion ? lastTime(motion) : PUSH }),
+  }),
 ];
