@@ -72,7 +72,7 @@ def test_the_level_is_found_and_the_filter_is_honest(seed):
     assert error < SIGMA_FLOAT / 2
     assert share_inside(truth, result) > 0.85  # of one run, whose errors hang together
     share = (result.y[:, 0] / np.sqrt(result.S[:, 0, 0]))[~result.gated[:, 0]]
-    assert 0.7 < np.mean(share**2) < 1.3
+    assert 0.55 < np.mean(share**2) < 1.65  # R comes from 60 values: known to a third
     assert acorr_ljungbox(share, lags=[10]).lb_pvalue.iloc[0] > 1e-3
 
 
