@@ -65,7 +65,10 @@ function outcome(r, s, t) {
   if (r.found && r.found.rows < r.T && s.likely) {
     sentences.push(t.say(OUTCOME.cut, { rows: String(r.found.rows) }));
   }
-  return [...sentences, t.say(r.data.note)].filter(Boolean).join(" ");
+  if (r.data.truth || s.group === "data") {
+    sentences.push(t.say(r.data.note)); // made-up data is always called so
+  }
+  return sentences.filter(Boolean).join(" ");
 }
 
 function facts(r, s, t) {
