@@ -66,7 +66,7 @@ function columnChoice(name, first, visible) {
 
 const dataControls = [
   ...brought,
-  sensorControl({ name: "motion", visible: inGroup("data") }),
+  sensorControl({ name: "motion", visible: inGroup("data", (s) => Boolean(s.motion) || isMadeUp(s)) }),
   columnChoice("axis", CONTROLS.first_axis, (s) => Boolean(s.motion)),
   columnChoice("value2", CONTROLS.next_column, (s) => isOwn(s) && wantsSecond(s)),
   {
