@@ -28,7 +28,8 @@ SHOWN = (
   if (changes.likely || changes.search) for (const step of view.refine(r, s));
   const plain = values => Array.from(values, v => Number.isNaN(v) ? null : v);
   const { n, m, x, P, y, S } = r.result;
-  return { n, m, t: plain(r.data.t), note: r.data.note.en, x: plain(x), P: plain(P), y: plain(y), S: plain(S), found: r.found?.values ?? null,
+  return { n, m, t: plain(r.data.t), note: r.data.note.en,
+    x: plain(x), P: plain(P), y: plain(y), S: plain(S), found: r.found?.values ?? null,
     gated: Array.from(r.result.gated), verdict: view.outcome(r, s, t), nis: r.judged.nis,
     white: r.judged.white.map(w => ({ ...w, correlation: plain(w.correlation) })),
     kalman: _.kalmanCode(r, s, t), filterpy: _.filterpyCode(r, s, t), csv: _.csvText(r) };
