@@ -208,6 +208,29 @@ def bundle(chromium, tmp_path_factory):
     page.close()
 
 
+@pytest.fixture(scope="session")
+def laboratory(tmp_path_factory):
+    """The address of pages with the explorers that read a phone's sensors: id.html, en.html."""
+    import sensors_helpers
+
+    folder = sensors_helpers.laboratory(tmp_path_factory.mktemp("sensors"))
+    server = sensors_helpers.serve(folder)
+    yield f"http://127.0.0.1:{server.server_port}"
+    server.shutdown()
+
+
+@pytest.fixture
+def phone_page(chromium, laboratory):
+    """The English one of these pages, in a browser that nobody else has used."""
+    context = chromium.new_context(accept_downloads=True, reduced_motion="reduce")
+    page = context.new_page()
+    trouble = listen(page)
+    page.goto(f"{laboratory}/en.html")
+    yield page
+    context.close()
+    assert trouble == []
+
+
 @pytest.fixture
 def flag(tmp_path):
     """The file that makes the accident of accident.py happen, as long as it exists."""

@@ -9,11 +9,13 @@ import threading
 
 import explorers
 import numpy as np
-from explorer_helpers import SOURCES
+from explorer_helpers import SOURCES, shown
 
 ORIENTATIONS = ("absolute-orientation", "relative-orientation")
+START = {"id": "Pakai sensor ponsel ini", "en": "Use this phone's sensors"}
+STOP = {"id": "Berhenti", "en": "Stop"}
+UP = [0, 0, 9.8]  # m/s2: lying face up
 KINDS = ("gyroscope", "accelerometer", "linear-acceleration", *ORIENTATIONS)
-LIVE = "e => e.explorer.s.motion?.live"
 
 
 class Quiet(http.server.SimpleHTTPRequestHandler):
@@ -37,6 +39,7 @@ def laboratory(folder):
         scripts = "".join(f'<script defer src="{language}/{name}.js"></script>' for name in names)
         (folder / f"{language}.html").write_text(
             f'<!doctype html><html lang="{language}"><meta charset="utf-8"><title>-</title>'
+            '<link rel="icon" href="data:,">'
             '<meta name="viewport" content="width=device-width">'
             f'<link rel="stylesheet" href="{language}/core.css">{scripts}<body class="bd-article">'
             '<kalman-explorer paper="gyro" view="drift"></kalman-explorer>'
@@ -82,9 +85,9 @@ def tap(element, name):
     element.get_by_role("button", name=name, exact=True).click()
 
 
-FEED = """(e, readings) => {
+FEED = """async (e, readings) => {
   const xyz = ([x, y, z]) => ({ x, y, z });
-  for (const { t, gyr: [alpha, beta, gamma], acc, angles } of readings) {
+  const send = ({ t, gyr: [alpha, beta, gamma], acc, angles }) => {
     if (angles) {
       const [a, b, c] = angles;
       const about = { alpha: a, beta: b, gamma: c, absolute: true };
@@ -96,13 +99,44 @@ FEED = """(e, readings) => {
       { rotationRate, accelerationIncludingGravity, interval: 16 });
     Object.defineProperty(event, 'timeStamp', { value: t });
     dispatchEvent(event);
+  };
+  e.querySelector('.explorer-control.sensor button').click();
+  while (!e.explorer.s.motion) {  // it listens when the browser has given its permission
+    send(readings[0]);
+    await new Promise(done => setTimeout(done, 5));
   }
+  readings.slice(1).forEach(send);
 }"""
 
 
 def feed(element, readings):
-    """Hand readings {t ms, gyr (3) deg/s, acc (3), angles (3, optional)} to the page, at once."""
+    """Start, and hand readings {t ms, gyr (3) deg/s, acc (3), angles (3, optional)} to the page."""
     element.evaluate(FEED, readings)
+    shown(element)
+
+
+def readings(t, gyr, acc, **more):
+    """Readings at times t (s) as `feed` takes them."""
+    gyr = np.broadcast_to(gyr, (len(t), 3)).tolist()
+    acc = np.broadcast_to(acc, (len(t), 3)).tolist()
+    every = zip(t, gyr, acc)
+    return [{"t": 5000 + 1000 * float(k), "gyr": g, "acc": a, **more} for k, g, a in every]
+
+
+def record(element, data, language="en"):
+    """A whole recording, from the tap that starts it to the one that ends it."""
+    feed(element, data)
+    tap(element, STOP[language])
+    shown(element)
+
+
+def result_of(element, *names):
+    """Arrays of r, such as "alone" or "filter.x"."""
+    script = """(e, names) => names.map(name => {
+      const values = name.split('.').reduce((part, key) => part[key], e.explorer.r);
+      return Array.from(values);
+    })"""
+    return map(np.array, element.evaluate(script, list(names)))
 
 
 def motion_of(element):

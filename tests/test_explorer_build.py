@@ -26,7 +26,7 @@ ALLOWED = {
     "files": {"files", "language"},
     "drawing": {"drawing"},
     "element": {"element", "drawing", "language", "numerics"},
-    "sensors": {"sensors", "language"},
+    "sensors": {"sensors", "language", "numerics"},
     "papers": {"numerics", "language", "files", "sensors"},  # and each its own folder
     "grading": {"grading", "language"},
     "exercise": {"exercise", "grading", "drawing", "language"},

@@ -42,9 +42,9 @@ def contents():
 
 
 def chapters():
-    """The chapters: the top pages of the first part that begins with a notebook."""
+    """The chapters: the top pages of the parts that begin with a notebook."""
     _, parts = contents()
-    return next(top for top, _ in parts if top[0].startswith("notebooks/"))
+    return [page for top, _ in parts for page in top if top[0].startswith("notebooks/")]
 
 
 def title(page, language):

@@ -3,13 +3,17 @@
 // needs of the page it gets from element/controls.js: {make, makeButton, saveFile, setText}.
 import { InputError } from "../language/input.js";
 import { forgetRecordings, keepRecording, keptRecordings, replayed } from "./kept.js";
-import { Live } from "./live.js";
+import { Live, take } from "./live.js";
 import { rateOf, toCsv } from "./recording.js";
 import { REFUSED, SENSORS, STATUS } from "./words.js";
 
 const LONGEST = 120; // s
+const MINUTE = 60000; // ms
 
-/** seconds: how long a recording may become. */
+/**
+ * seconds: how long a recording may become; also(motion or null, s) -> {name: value}: what else changes when
+ * a recording ends or is chosen, or is left; example() -> motion: what is shown where there is no sensor.
+ */
 export function sensorControl({ name, seconds = LONGEST, ...more }) {
   return { kind: "sensor", name, seconds, default: null, build: buildSensor, ...SENSORS.name, ...more };
 }
@@ -42,18 +46,27 @@ function statusOf({ s, t }, { name }, { isAsking }) {
     rate: t.decimal(Math.round(rateOf(motion))),
     compass: t.say(has_compass ? STATUS.compass : STATUS.no_compass),
   };
-  return `${t.say(motion.live ? STATUS.live : STATUS.recorded, values)} ${stays}`;
+  return `${t.say(STATUS[kindOf(motion)], values)} ${stays}`;
+}
+
+function kindOf({ live, synthetic }) {
+  if (synthetic) {
+    return "example";
+  }
+  return live ? "live" : "recorded";
 }
 
 /** [{element, show()}, ...]: the first one starts and stops, the others are there when there is something. */
-function buttonsOf(explorer, { name }, { makeButton, saveFile, setText }, live) {
+function buttonsOf(explorer, control, { makeButton, saveFile, setText }, live) {
   const { t } = explorer;
+  const { name } = control;
   const main = makeButton(explorer, t.say(SENSORS.start), () => (live.isOn ? live.end() : live.start()));
   const showMain = () => setText(main, t.say(live.isOn ? SENSORS.stop : SENSORS.start));
   const isDone = () => Boolean(explorer.s[name]) && !live.isOn;
+  const isOwn = () => isDone() && !explorer.s[name].synthetic;
   const later = [
-    [SENSORS.back, isDone, () => explorer.change({ [name]: null })],
-    [SENSORS.keep, isDone, () => keep(explorer, explorer.s[name])],
+    [SENSORS.back, isDone, () => take(explorer, control, null)],
+    [SENSORS.keep, isOwn, () => keep(explorer, explorer.s[name])],
     [SENSORS.save, isDone, () => saveFile(fileOf(explorer.s[name], t))],
     [SENSORS.forget, () => keptRecordings().length > 0, () => forget(explorer)],
   ];
@@ -68,11 +81,12 @@ function buttonsOf(explorer, { name }, { makeButton, saveFile, setText }, live) 
 }
 
 function fileOf(motion, { language }) {
-  return { name: "sensors.csv", type: "text/csv;charset=utf-8", content: toCsv(motion, language) };
+  const name = motion.synthetic ? "sensors-synthetic.csv" : "sensors.csv";
+  return { name, type: "text/csv;charset=utf-8", content: toCsv(motion, language) };
 }
 
 function keep(explorer, motion) {
-  if (!keepRecording(motion, new Date().toISOString())) {
+  if (!keepRecording(motion, localTime())) {
     throw new InputError(REFUSED.full);
   }
   explorer.showControls();
@@ -84,15 +98,15 @@ function forget(explorer) {
 }
 
 /** The recordings that are kept; the one that the reader chooses is replayed. */
-function keptList(explorer, { name }, make) {
+function keptList(explorer, control, make) {
   const { t } = explorer;
-  const id = `${explorer.id}-${name}-kept`;
+  const id = `${explorer.id}-${control.name}-kept`;
   const box = make("select", { id });
   const element = make("div", {}, make("label", { htmlFor: id, textContent: t.say(SENSORS.kept) }), box);
   box.addEventListener("change", () => {
     const motion = replayed(box.value);
     if (motion) {
-      explorer.change({ [name]: motion });
+      take(explorer, control, motion);
     }
   });
   let shown = "";
@@ -104,7 +118,7 @@ function keptList(explorer, { name }, make) {
     }
     shown = JSON.stringify(kept);
     const options = kept.map(({ when, seconds }) => {
-      const textContent = t.say(SENSORS.slot, { when: localTime(when), seconds });
+      const textContent = `${when.slice(0, 16)}, ${seconds} s`;
       return make("option", { value: when, textContent });
     });
     box.replaceChildren(make("option", { value: "", textContent: t.say(SENSORS.none) }), ...options);
@@ -112,10 +126,9 @@ function keptList(explorer, { name }, make) {
   return { element, show };
 }
 
-/** "2026-11-28 14:03" where the reader is. */
-function localTime(when) {
-  const time = new Date(when);
-  const two = (number) => String(number).padStart(2, "0");
-  const day = [time.getFullYear(), two(time.getMonth() + 1), two(time.getDate())].join("-");
-  return `${day} ${two(time.getHours())}:${two(time.getMinutes())}`;
+/** "2026-11-28 14:03:07.125", as clocks show it where the reader is. */
+function localTime() {
+  const now = new Date();
+  const shifted = now.getTime() - MINUTE * now.getTimezoneOffset();
+  return new Date(shifted).toISOString().slice(0, 23).replace("T", " ");
 }

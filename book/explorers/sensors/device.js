@@ -3,13 +3,15 @@ import { InputError } from "../language/input.js";
 import { headingOf, readingOf, signOf, upOf } from "./units.js";
 import { REFUSED } from "./words.js";
 
-const SILENCE = 2500; // ms without a reading: there is no sensor
+const SILENCE = 4000; // ms without a reading: there is no sensor
+const MAG_RATE = 10; // a second: so many are allowed (W3C, Magnetometer)
 const PATIENCE = 10; // readings that may pass until the device's angles tell the sign of its force
 const ANGLES = ["deviceorientation", "deviceorientationabsolute"];
 
 /**
  * Ask for the sensors (in the tap of the reader: iOS shows its question only then), and hand every reading to
- * hear({t ms, gyr, acc, heading}). Returns what ends it; InputError: there is no sensor, or no permission.
+ * hear({t ms, gyr, acc, heading, mag}), or null when the page is hidden and no more will come. Returns what
+ * ends it; InputError: there is no sensor, or no permission.
  */
 export async function listen(hear) {
   if (!window.isSecureContext) {
@@ -22,6 +24,7 @@ export async function listen(hear) {
   const end = new AbortController();
   await firstReading(hear, end);
   keepAwake(end.signal);
+  document.addEventListener("visibilitychange", () => document.hidden && hear(null), { signal: end.signal });
   return () => end.abort();
 }
 
@@ -47,6 +50,7 @@ function firstReading(hear, end) {
     };
     const timer = setTimeout(give_up, SILENCE);
     const angles = followAngles(signal);
+    const field = followField(signal);
     let sign = null;
     let waited = 0;
     const take = (event) => {
@@ -57,7 +61,8 @@ function firstReading(hear, end) {
       sign ??= signOf(reading.acc, angles.up, navigator.vendor ?? "");
       clearTimeout(timer);
       done();
-      hear({ ...reading, acc: reading.acc.map((value) => sign * value), heading: angles.heading });
+      const acc = reading.acc.map((value) => sign * value);
+      hear({ ...reading, acc, heading: angles.heading, mag: field.mag });
     };
     addEventListener("devicemotion", take, { signal });
   });
@@ -77,6 +82,22 @@ function followAngles(signal) {
     addEventListener(name, take, { signal });
   }
   return angles;
+}
+
+/** The latest field of the magnetometer, where the browser has one for pages: {mag}, NaN without. */
+function followField(signal) {
+  const field = { mag: [NaN, NaN, NaN] };
+  try {
+    const sensor = new window.Magnetometer({ frequency: MAG_RATE });
+    sensor.onreading = () => {
+      field.mag = [sensor.x, sensor.y, sensor.z];
+    };
+    sensor.start();
+    signal.addEventListener("abort", () => sensor.stop());
+  } catch {
+    // most browsers have none
+  }
+  return field;
 }
 
 /** A screen that goes dark ends the readings: keep it on, where the browser can. */

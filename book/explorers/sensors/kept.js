@@ -5,7 +5,7 @@ import { fromCsv, toCsv } from "./recording.js";
 const KEY = "kalman-motion";
 const MOST = 5;
 
-/** [{when (ISO time, its name), seconds}, ...] */
+/** [{when (a time, its name), seconds}, ...] */
 export function keptRecordings() {
   try {
     const kept = JSON.parse(localStorage.getItem(KEY));

@@ -3,14 +3,19 @@
 import { listen } from "./device.js";
 import { recorder } from "./recording.js";
 
-const PAUSE = 1000; // ms without a reading: the page was hidden, and the recording ends
+const PAUSE = 3000; // ms without a reading: nobody knows how it has turned, and the recording ends
+
+/** Put a motion that is complete, or none, into the state. */
+export function take(explorer, { name, also }, motion) {
+  explorer.change({ [name]: motion, ...also?.(motion, explorer.s) });
+}
 
 /** The readings of one control: isOn, isAsking, start(), end(), follow(). */
 export class Live {
-  constructor(explorer, { name, seconds }) {
+  constructor(explorer, control) {
     this.explorer = explorer;
-    this.name = name;
-    this.seconds = seconds;
+    this.control = control;
+    this.name = control.name;
     this.isOn = false;
     this.isAsking = false; // for permission, or for the first reading
     this.stop = () => {};
@@ -18,7 +23,7 @@ export class Live {
 
   async start() {
     this.made = recorder();
-    this.explorer.change({ [this.name]: null });
+    take(this.explorer, this.control, null);
     this.last = null; // what we have put into the state
     this.isOn = true;
     this.isAsking = true;
@@ -27,6 +32,7 @@ export class Live {
       this.stop = await listen((reading) => this.hear(reading));
     } catch (error) {
       this.isOn = false;
+      take(this.explorer, this.control, this.control.example?.() ?? null);
       throw error;
     } finally {
       this.isAsking = false;
@@ -40,20 +46,16 @@ export class Live {
   hear(reading) {
     this.follow();
     const latest = this.made.latest();
-    if (!this.isOn || (latest !== null && reading.t - latest > PAUSE)) {
+    if (!this.isOn || !reading || (latest !== null && reading.t - latest > PAUSE)) {
       this.end();
       return;
     }
     this.made.add(reading);
-    this.put(true);
-    if (this.made.duration() >= this.seconds) {
+    this.last = this.made.motion(true);
+    this.explorer.change({ [this.name]: this.last }, true);
+    if (this.made.duration() >= this.control.seconds) {
       this.end();
     }
-  }
-
-  put(goesOn) {
-    this.last = this.made.motion(goesOn);
-    this.explorer.change({ [this.name]: this.last }, goesOn);
   }
 
   /** The reader has started again, or has chosen another recording: this one ends. */
@@ -69,7 +71,7 @@ export class Live {
     this.isOn = false;
     this.stop();
     if (wasOn && last && !explorer.ended && explorer.s[this.name] === last) {
-      this.put(false);
+      take(explorer, this.control, this.made.motion(false));
     }
   }
 }

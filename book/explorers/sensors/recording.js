@@ -1,22 +1,29 @@
 // A recording of a phone's sensors: what is kept, drawn, filtered and handed on. Pure. A motion is
-//   {T, t (T) s from 0, gyr (3 T) degrees a second, acc (3 T) m/s2, heading (T) degrees or NaN, live}
-// step after step, in the axes and signs of units.js. A motion never changes: while it goes on, the next
-// one is longer.
+//   {T, t (T) s from 0, gyr (3 T) degrees a second, acc (3 T) m/s2, heading (T) degrees or NaN,
+//    mag (3 T) uT or NaN, live}
+// step after step, in the axes and signs of units.js. A motion never changes: while it goes on, the next one
+// is longer.
 const SIGNIFICANT = 9; // digits in a file
 const HEAD = [
   "Time (s)",
-  ...["x", "y", "z"].map((axis) => `Gyroscope ${axis} (deg/s)`),
-  ...["x", "y", "z"].map((axis) => `Acceleration ${axis} (m/s^2)`),
+  ...axesOf("Gyroscope", "deg/s"),
+  ...axesOf("Acceleration", "m/s^2"),
   "Compass (deg)",
+  ...axesOf("Magnetic field", "uT"),
 ];
+const WITHOUT_FIELD = 8; // columns
 const FIRST_ROOM = 1024; // steps
+
+function axesOf(name, unit) {
+  return ["x", "y", "z"].map((axis) => `${name} ${axis} (${unit})`);
+}
 
 /** A recording that grows: {add(reading), motion(live), duration() s, latest() ms or null}. */
 export function recorder() {
   let arrays = roomFor(FIRST_ROOM);
   let T = 0;
   let start = 0; // ms
-  const add = ({ t, gyr, acc, heading }) => {
+  const add = ({ t, gyr, acc, heading, mag }) => {
     if (T === arrays.t.length) {
       arrays = copied(arrays, roomFor(2 * T));
     }
@@ -25,6 +32,7 @@ export function recorder() {
     arrays.gyr.set(gyr, 3 * T);
     arrays.acc.set(acc, 3 * T);
     arrays.heading[T] = heading;
+    arrays.mag.set(mag, 3 * T);
     T++;
   };
   const motion = (live) => ({ T, live, ...firstOf(arrays, T) });
@@ -39,6 +47,7 @@ function roomFor(steps) {
     gyr: new Float64Array(3 * steps),
     acc: new Float64Array(3 * steps),
     heading: new Float64Array(steps),
+    mag: new Float64Array(3 * steps),
   };
 }
 
@@ -49,12 +58,13 @@ function copied(from, to) {
   return to;
 }
 
-function firstOf({ t, gyr, acc, heading }, T) {
+function firstOf({ t, gyr, acc, heading, mag }, T) {
   return {
     t: t.subarray(0, T),
     gyr: gyr.subarray(0, 3 * T),
     acc: acc.subarray(0, 3 * T),
     heading: heading.subarray(0, T),
+    mag: mag.subarray(0, 3 * T),
   };
 }
 
@@ -69,11 +79,13 @@ export function rateOf({ T, t }) {
  * A CSV that read_recording of kalman_lib.data takes for a phone's; in Indonesian with the signs that its
  * spreadsheets expect.
  */
-export function toCsv({ T, t, gyr, acc, heading }, language) {
+export function toCsv({ T, t, gyr, acc, heading, mag }, language) {
   const separator = language === "id" ? ";" : ",";
-  const lines = [HEAD.join(separator)];
+  const width = mag.every(Number.isNaN) ? WITHOUT_FIELD : HEAD.length;
+  const lines = [HEAD.slice(0, width).join(separator)];
   for (let k = 0; k < T; k++) {
-    const step = [t[k], ...gyr.subarray(3 * k, 3 * k + 3), ...acc.subarray(3 * k, 3 * k + 3), heading[k]];
+    const [of_gyr, of_acc, of_mag] = [gyr, acc, mag].map((values) => values.subarray(3 * k, 3 * k + 3));
+    const step = [t[k], ...of_gyr, ...of_acc, heading[k], ...of_mag].slice(0, width);
     lines.push(step.map((value) => cellOf(value, language)).join(separator));
   }
   return `${lines.join("\n")}\n`;
@@ -90,18 +102,15 @@ function cellOf(value, language) {
 /** The motion in a text that toCsv has written in English; null if it is none. */
 export function fromCsv(text) {
   const [head, ...lines] = text.trimEnd().split("\n");
-  if (head !== HEAD.join(",") || lines.length === 0) {
+  const heads = [WITHOUT_FIELD, HEAD.length].map((width) => HEAD.slice(0, width).join(","));
+  if (!heads.includes(head) || lines.length === 0) {
     return null;
   }
   const made = recorder();
   for (const line of lines) {
     const cells = line.split(",").map((cell) => (cell === "" ? NaN : Number(cell)));
-    made.add({
-      t: 1000 * cells[0],
-      gyr: cells.slice(1, 4),
-      acc: cells.slice(4, 7),
-      heading: cells[7],
-    });
+    const mag = cells.length === HEAD.length ? cells.slice(8) : [NaN, NaN, NaN];
+    made.add({ t: 1000 * cells[0], gyr: cells.slice(1, 4), acc: cells.slice(4, 7), heading: cells[7], mag });
   }
   return made.motion(false);
 }

@@ -15,6 +15,9 @@
 //   compass    deviceorientationabsolute: alpha, beta, gamma turn about z, then x, then y, from a frame of
 //              east, north, up (W3C, 3.1.1). WebKit has webkitCompassHeading, degrees clockwise from
 //              magnetic north (Apple, Safari DOM Additions, DeviceOrientationEvent).
+//   field      Magnetometer, a Generic Sensor, in uT and the same axes (W3C, Magnetometer, 6). Gyroscope and
+//              Accelerometer of Generic Sensor are not used: where they exist, in Chromium, their readings
+//              are those of devicemotion, rounded alike.
 const DEG = Math.PI / 180; // rad
 const AGREES = 0.5; // a cosine: so much of gravity must lie along the vertical to tell its sign
 

@@ -10,7 +10,6 @@ export const SENSORS = {
   save: { id: "Unduh CSV", en: "Download CSV" },
   kept: { id: "Putar ulang simpanan", en: "Replay a kept recording" },
   none: { id: "pilih", en: "choose" },
-  slot: { id: "{when}, {seconds} s", en: "{when}, {seconds} s" },
 };
 
 export const STATUS = {
@@ -27,6 +26,10 @@ export const STATUS = {
   recorded: {
     id: "Rekaman: {seconds} s, {rate} bacaan per detik, {compass}.",
     en: "Recorded: {seconds} s, {rate} readings a second, {compass}.",
+  },
+  example: {
+    id: "Rekaman sintetis: {seconds} s, {rate} bacaan per detik, {compass}.",
+    en: "A synthetic recording: {seconds} s, {rate} readings a second, {compass}.",
   },
   compass: { id: "dengan kompas", en: "with a compass" },
   no_compass: { id: "tanpa kompas", en: "without a compass" },

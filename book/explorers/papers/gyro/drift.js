@@ -3,6 +3,7 @@
 // synthetic, or that of the reader's own phone (phone.js).
 import { generator } from "../../numerics/random.js";
 import { sensorControl } from "../../sensors/control.js";
+import { exampleMotion } from "../../sensors/example.js";
 import { run } from "./model.js";
 import { REST, TURNS, follow, ghosts, limitsOf, sigmaOf } from "./phone.js";
 import { DRIFT, LABELS, NAMES, PHONE } from "./words.js";
@@ -141,6 +142,9 @@ function ofPhone({ t: time, alone, fan, x, band, at_rest }, s, t) {
   if (s.sensor) {
     sentences.push(PHONE.together);
   }
+  if (s.motion.synthetic) {
+    sentences.push(PHONE.synthetic);
+  }
   return sentences.map((words) => t.say(words, values)).join(" ");
 }
 
@@ -180,7 +184,7 @@ export const drift = {
     { name: "noise_v", symbol: "σ_v", ...DRIFT.noise_v, ...OF_ANGLE, disabled: (s) => !s.sensor },
     { kind: "check", name: "centred", default: false, ...PHONE.centred, visible: hasPhone },
     { kind: "select", name: "turn", default: "roll", ...PHONE.turn, options: TURNED, visible: hasPhone },
-    sensorControl({ name: "motion" }),
+    sensorControl({ name: "motion", example: exampleMotion }),
   ],
   compute,
   plots: [

@@ -38,8 +38,7 @@ function meanOf(values) {
 }
 
 /** What the gyroscope says at rest: its mean and its standard deviation, degrees a second. */
-export function atRest(motion, turn) {
-  const { u, rest } = readingsOf(motion, turn);
+function atRest({ u, rest }) {
   const still = u.subarray(0, rest);
   const mean = meanOf(still);
   const sigma = Math.sqrt(meanOf(still.map((rate) => (rate - mean) ** 2)));
@@ -47,11 +46,12 @@ export function atRest(motion, turn) {
 }
 
 /** The sigma that the reader has set, or that of the phone at rest. */
-export function sigmaOf(s) {
+export function sigmaOf(s, at_rest = null) {
   if (!s.motion) {
     return 1;
   }
-  return s.sigma ?? Math.min(Number(atRest(s.motion, s.turn).sigma.toPrecision(2)), LARGEST);
+  const { sigma } = at_rest ?? atRest(readingsOf(s.motion, s.turn));
+  return s.sigma ?? Math.min(Number(sigma.toPrecision(2)), LARGEST);
 }
 
 /**
@@ -62,8 +62,8 @@ export function follow(s) {
   const { motion, turn } = s;
   const { t, T } = motion;
   const { u, z, rest } = readingsOf(motion, turn);
-  const at_rest = atRest(motion, turn);
-  const sigma_w = sigmaOf(s);
+  const at_rest = atRest({ u, rest });
+  const sigma_w = sigmaOf(s, at_rest);
   const bias = s.centred ? at_rest.mean : 0;
   const alone = new Float64Array(T);
   const fan = new Float64Array(T);

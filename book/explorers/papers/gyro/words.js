@@ -169,10 +169,10 @@ export const PHONE = {
   },
   rest: {
     id:
-      "Ponsel ini, selama {rest} s pertama: rata-rata bacaan giroskop {mean} °/s, " +
+      "Ponsel ini selama {rest} s pertama: rata-rata bacaan giroskop {mean} °/s, " +
       "simpangan bakunya {sigma} °/s.",
     en:
-      "This phone, in its first {rest} s: mean reading of the gyroscope {mean} °/s, " +
+      "This phone in its first {rest} s: mean reading of the gyroscope {mean} °/s, " +
       "standard deviation {sigma} °/s.",
   },
   moved: {
@@ -189,8 +189,9 @@ export const PHONE = {
     id: "Bersama sensor sudut: {x}° ± {band}°.",
     en: "With the angle sensor: {x}° ± {band}°.",
   },
+  synthetic: { id: "Rekaman ini sintetis.", en: "This recording is synthetic." },
   ghosts: {
-    title: { id: "Ponsel ini", en: "This phone" },
+    title: { id: "Ponsel", en: "The phone" },
     alt: {
       id:
         "Ponsel pada bacaan terakhir menurut giroskop saja, sensor sudut, dan filter; " +

@@ -1,6 +1,7 @@
 // The reader's own phone in the view "tilt": as gyroscope, accelerometer and filter see it, with a level
 // and a compass.
 import { sensorControl } from "../../sensors/control.js";
+import { exampleMotion } from "../../sensors/example.js";
 import { size } from "./figures.js";
 import { AXES } from "./model.js";
 import { drawGhosts, drawInstruments } from "./scene.js";
@@ -10,14 +11,17 @@ import { CONTROLS, PHONE, SHOWN, TILT } from "./words.js";
 const DRAWN = 400; // readings: about one for a pixel
 const SHOWN_LIVE = 20; // s
 const ROWS = 30; // in the table
+export const PUSH = 13.5; // s: the moment that is drawn of the synthetic run
 
 export const hasPhone = (s) => Boolean(s.motion);
 const isRecorded = (s) => hasPhone(s) && !s.motion.live;
 
 /** All opinions of the reader's motion, and the moment that is drawn: {motion, seen, T, k, lines}. */
-export function follow(s) {
+export function follow(s, memo) {
   const { motion } = s;
-  const seen = opinions(motion, { R: s.R_acc, sigma_gyr: s.sigma_gyr, compass: s.compass });
+  memo.seen ??= {};
+  const how = { R: s.R_acc, sigma_gyr: s.sigma_gyr, compass: s.compass };
+  const seen = opinions(motion, how, memo.seen);
   const { T, t } = motion;
   const reached = t.findLastIndex((time) => time <= s.when + 1e-9); // 0.1 + 0.2 is a little more than 0.3
   const r = { motion, seen, T, k: motion.live ? T - 1 : Math.max(reached, 0) };
@@ -25,8 +29,8 @@ export function follow(s) {
 }
 
 /** The end of the recording, s. */
-export function lastTime(s) {
-  return Number(s.motion.t[s.motion.T - 1].toFixed(1));
+export function lastTime({ T, t }) {
+  return Number(t[T - 1].toFixed(1));
 }
 
 /** The attitudes at step k: {gyro, acc, filter}, as frameOf gives them. The accelerometer knows no north. */
@@ -90,6 +94,9 @@ export function outcome(r, s, t) {
   if (motion.heading.every(Number.isNaN) || !s.compass) {
     sentences.push(t.say(PHONE.no_compass));
   }
+  if (motion.synthetic) {
+    sentences.push(t.say(PHONE.synthetic));
+  }
   return sentences.join(" ");
 }
 
@@ -135,5 +142,9 @@ export const controls = [
   },
   { kind: "check", name: "compass", default: true, ...PHONE.use_compass, visible: hasPhone },
   { kind: "buttons", items: [{ play: "when", seconds: 20, ...PHONE.play }], visible: isRecorded },
-  sensorControl({ name: "motion" }),
+  sensorControl({
+    name: "motion",
+    example: exampleMotion,
+    also: (motion) => ({ when: motion ? lastTime(motion) : PUSH }),
+  }),
 ];

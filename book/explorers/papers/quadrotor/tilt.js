@@ -16,7 +16,7 @@ const LARGEST = 45; // degrees that the reader can hold it at
 const { hasPhone } = phone;
 
 function compute(s, memo) {
-  return hasPhone(s) ? phone.follow(s) : ofOneAxis(s, memo);
+  return hasPhone(s) ? phone.follow(s, memo) : ofOneAxis(s, memo);
 }
 
 function ofOneAxis(s, memo) {
@@ -150,7 +150,7 @@ function numbers(r, s, t) {
   return { head: ["t (s)", "x_true (°)", "u (°/s)", t.say(TILT.gyro), "z (°)", "K", "x (°)"], rows };
 }
 
-const endOf = (s) => (hasPhone(s) ? phone.lastTime(s) : SECONDS);
+const endOf = (s) => (hasPhone(s) ? phone.lastTime(s.motion) : SECONDS);
 const isSynthetic = (s) => !hasPhone(s);
 
 const sliders = [
@@ -162,7 +162,7 @@ const sliders = [
     min: 0.1,
     max: SECONDS,
     step: 0.1,
-    default: 13.5,
+    default: phone.PUSH,
     end: endOf,
     visible: (s) => !s.motion?.live,
   },

@@ -10,44 +10,69 @@ const COMPASS = (10 * DEG) ** 2; // rad2: the variance of a compass in the hand
 const STEEPEST = 0.2; // a top edge that points up further than this knows no heading
 
 /**
- * What gyroscope alone, accelerometer alone and filter say: {T, up: {gyro, acc, filter}, north: {gyro,
- * filter} (3 T), K (T)}. R degrees squared, sigma_gyr degrees a second; compass: is it in use?
+ * What gyroscope alone, accelerometer alone and filter say: {T, up: {gyro, acc, filter},
+ * north: {gyro, filter} (3 T), K (T)}. how: {R degrees squared, sigma_gyr degrees a second, compass: is it in
+ * use?}. memo: what is known of this motion already, so that a live one costs only what is new.
  */
-export function opinions({ T, t, gyr, acc, heading }, { R, sigma_gyr, compass }) {
-  const series = () => new Float64Array(3 * T);
-  const up = { gyro: series(), acc: series(), filter: series() };
-  const north = { gyro: series(), filter: series() };
-  const K = new Float64Array(T);
-  const r = R * DEG ** 2;
-  let p = r;
-  let p_north = COMPASS;
-  for (let k = 0; k < T; k++) {
-    const z = unit(acc.subarray(3 * k, 3 * k + 3));
-    up.acc.set(z, 3 * k);
-    if (k === 0) {
-      const first = compass && northOf(z, heading[0]);
-      [up.gyro, up.filter].forEach((one) => one.set(z));
-      [north.gyro, north.filter].forEach((one) => one.set(first || northOf(z, 0) || [0, 1, 0]));
-      continue;
-    }
-    const step = t[k] - t[k - 1];
-    const turn = turnOf(gyr, k, step);
-    for (const one of [up.gyro, up.filter, north.gyro, north.filter]) {
-      one.set(turned(one.subarray(3 * k - 3, 3 * k), turn), 3 * k);
-    }
-    const q = (sigma_gyr * DEG * step) ** 2;
-    K[k] = (p + q) / (p + q + r);
-    p = K[k] * r;
-    blend(up.filter, k, K[k], z);
-    const pointer = compass && northOf(unit(up.filter.subarray(3 * k, 3 * k + 3)), heading[k]);
-    p_north += q;
-    if (pointer) {
-      const gain = p_north / (p_north + COMPASS);
-      p_north = gain * COMPASS;
-      blend(north.filter, k, gain, pointer);
+export function opinions(motion, how, memo = {}) {
+  const key = JSON.stringify(how);
+  if (memo.buffer !== motion.t.buffer || memo.key !== key || memo.T > motion.T) {
+    Object.assign(memo, roomFor(motion.t.buffer), { buffer: motion.t.buffer, key, T: 0 });
+    memo.p = how.R * DEG ** 2;
+    memo.p_north = COMPASS;
+  }
+  for (; memo.T < motion.T; memo.T++) {
+    const z = unit(motion.acc.subarray(3 * memo.T, 3 * memo.T + 3));
+    memo.up.acc.set(z, 3 * memo.T);
+    if (memo.T === 0) {
+      begin(memo, z, how.compass ? motion.heading[0] : NaN);
+    } else {
+      predict(memo, motion);
+      update(memo, motion, z, how);
     }
   }
-  return { T, up, north, K };
+  return memo;
+}
+
+/** Room for as many steps as the motion has room for. */
+function roomFor(buffer) {
+  const steps = buffer.byteLength / Float64Array.BYTES_PER_ELEMENT;
+  const series = () => new Float64Array(3 * steps);
+  return {
+    up: { gyro: series(), acc: series(), filter: series() },
+    north: { gyro: series(), filter: series() },
+    K: new Float64Array(steps),
+  };
+}
+
+function begin({ up, north }, z, heading) {
+  const pointer = northOf(z, heading) ?? northOf(z, 0) ?? [0, 1, 0];
+  [up.gyro, up.filter].forEach((one) => one.set(z));
+  [north.gyro, north.filter].forEach((one) => one.set(pointer));
+}
+
+/** x = F x: every direction is turned as the gyroscope says. */
+function predict({ T: k, up, north }, { t, gyr }) {
+  const turn = turnOf(gyr, k, t[k] - t[k - 1]);
+  for (const one of [up.gyro, up.filter, north.gyro, north.filter]) {
+    one.set(turned(one.subarray(3 * k - 3, 3 * k), turn), 3 * k);
+  }
+}
+
+function update(memo, { t, heading }, z, { R, sigma_gyr, compass }) {
+  const { T: k, up, north, K } = memo;
+  const r = R * DEG ** 2;
+  const q = (sigma_gyr * DEG * (t[k] - t[k - 1])) ** 2;
+  K[k] = (memo.p + q) / (memo.p + q + r);
+  memo.p = K[k] * r;
+  blend(up.filter, k, K[k], z);
+  memo.p_north += q;
+  const pointer = northOf(unit(up.filter.subarray(3 * k, 3 * k + 3)), compass ? heading[k] : NaN);
+  if (pointer) {
+    const gain = memo.p_north / (memo.p_north + COMPASS);
+    memo.p_north = gain * COMPASS;
+    blend(north.filter, k, gain, pointer);
+  }
 }
 
 /** x = x + K (z - x) at step k. */

@@ -195,6 +195,7 @@ export const PHONE = {
       "{filter_roll}° by the filter; the pitch {gyro_pitch}°, {acc_pitch}°, {filter_pitch}°.",
   },
   gain: { id: "Dengan R = {R} penguatannya K = {K}.", en: "With R = {R} the gain is K = {K}." },
+  synthetic: { id: "Rekaman ini sintetis.", en: "This recording is synthetic." },
   no_compass: {
     id: "Tanpa kompas, yaw dimulai dari 0 dan hanya giroskop yang memutarnya.",
     en: "Without a compass the yaw starts at 0, and only the gyroscope turns it.",
