@@ -21,10 +21,16 @@ const KINDS = {
   buttons: makeButtons,
 };
 
-/** The part of the page for one control: {control, element, show, place (sliders only)}. */
+const TOOLS = { make, makeButton, saveFile, setText }; // for a control that brings what builds it
+
+/**
+ * The part of the page for one control: {control, element, show, place (sliders only), end (optional)}. A
+ * kind that is not among ours brings its own build(explorer, control, tools).
+ */
 export function makeControl(explorer, control) {
   const kind = control.kind || "slider";
-  const part = KINDS[kind](explorer, control);
+  const build = KINDS[kind] ?? control.build;
+  const part = build(explorer, control, TOOLS);
   part.element.classList.add("explorer-control", kind);
   return { control, ...part };
 }
