@@ -9,6 +9,7 @@ const BROWSER = [
   "console",
   "customElements",
   "CustomEvent",
+  "DecompressionStream",
   "devicePixelRatio",
   "document",
   "DOMParser",

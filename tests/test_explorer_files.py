@@ -1,32 +1,70 @@
 """What readers bring to the page is read as Python reads it, whatever it is."""
 
 import base64
-import json
 import random
 
-import pytest
-import test_table
-from explorer_helpers import as_in_python, javascript
+import numpy as np
+from explorer_helpers import javascript
+from table_cases import HUGE, READ, REFUSED, options_of
+from test_table import HOSTILE, archive, sheet_of
 from workbook_helpers import xlsx
 
-from kalman_lib.data import read_file, read_text
+from kalman_lib.data import InputError, read_table
+
+TABLE = """table => ({
+    columns: table.columns,
+    units: table.units,
+    time: table.time,
+    value: table.value,
+    lines: table.lines,
+    skipped: table.skipped,
+    decimal: table.decimal,
+    codes: [...table.codes],
+    sheets: table.sheets,
+    notes: table.notes.map(({ en, id }) => [en, id]),
+  })"""
+READ_TABLE = f"([text, options], _) => ({TABLE})(_.readTable({{ text }}, options))"
 
 
-def cases(test):
-    """The arguments of a parametrized test."""
-    return next(mark.args[1] for mark in test.pytestmark if mark.name == "parametrize")
+def in_python(source, options):
+    """The same as TABLE gives of the page."""
+    try:
+        table = read_table(source, **options)
+    except InputError as error:
+        return {"error": [error.id, error.en]}
+    return {
+        "columns": [[name, plain(values)] for name, values in table.columns.items()],
+        "units": table.units,
+        "time": table.time,
+        "value": table.value,
+        "lines": table.lines.tolist(),
+        "skipped": list(table.skipped),
+        "decimal": table.decimal,
+        "codes": [[code, count] for code, count in table.codes.items()],
+        "sheets": list(table.sheets),
+        "notes": [[note["en"], note["id"]] for note in table.notes],
+    }
 
 
-KNOWN = [
-    case[0]
-    for test in (
-        test_table.test_text_is_read,
-        test_table.test_the_decimal_sign_can_be_chosen,
-        test_table.test_the_note_says_what_was_chosen,
-        test_table.test_what_cannot_be_read_is_named_in_both_languages,
-    )
-    for case in cases(test)
-]
+def plain(values):
+    return ["nan" if np.isnan(one) else one for one in values.tolist()]
+
+
+def differing(bundle, cases):
+    """The cases [(text, options), ...] that the page reads otherwise."""
+    answers = javascript(bundle, READ_TABLE, *(list(case) for case in cases))
+    pairs = [(case, answer, in_python(*case)) for case, answer in zip(cases, answers)]
+    return [pair for pair in pairs if pair[1] != pair[2]]
+
+
+def test_the_page_reads_and_refuses_alike(bundle):
+    cases = [(text, options_of(more)) for text, _, more in READ]
+    cases += [(text, options) for text, options, _, _ in REFUSED]
+    assert differing(bundle, cases)[:2] == []
+
+
+# --- texts that nobody would write ----------------------------------------------------------------
+
 OURS = [
     "\nTanggal,jam,Laju\n2024-01-01,10:00,1.5\n\n2024-01-02,10:01,NA\n2024-01-03,10:02,2.5\n\n",
     "2024-01-01;NA\n2024-01-02;1,5",
@@ -86,18 +124,24 @@ OURS = [
 
 PIECES = [
     "1", "2", "12", "345", "000", ".", ",", ",", ";", "\t", " ", "  ", "\n", "\n", "\n", "\r\n",
-    "-", "\u2212", "e5", "NA", "x", "Suhu", '"', '""', "inf", "+", "=1", "'", "\\", "/",
+    "-", "\u2212", "e5", "NA", "x", "Suhu", '"', '""', "inf", "+", "=1", "'", "\\", "/", ":", "[",
+    "]", "\u00a0", "10:00", "2024-01-02", "#", "(s)", "°C", "=",
 ]  # fmt: skip
-
-
-CELLS = ["1,5", "2.5", "1.234", "1,234", "3", "NA", "", "1.234,5", "-4", "word", "1e3", '"1,5"']
+CELLS = [
+    "1,5", "2.5", "1.234", "1,234", "3", "NA", "", "1.234,5", "-4", "word", "1e3", '"1,5"', "-999",
+    "10:00", "10:05", "01/02/2024", "2024-03-04 05:06:07", "21 °C", "Rp 1.500", "85", "1 234",
+    "10.30",
+]  # fmt: skip
+HEADS = ["t", "v", "w", "No", "waktu (s)", "Suhu, °C", "pukul", "speed_kmh", "", "T", "3"]
+ABOVE = ["", "a\n", "Data suhu\n\n", "sep=;\n", "# a, b\n", "Kota;Bogor\n"]
+BELOW = ["", "\n", "\n\nCatatan: basah", "\n8888: tidak terukur", "\nRata-rata;3"]
 
 
 def random_texts(count):
     rng = random.Random(2)
     for _ in range(count):
         yield "".join(rng.choices(PIECES, k=rng.randint(1, 25)))
-    for _ in range(count):
+    for _ in range(2 * count):
         yield random_table(rng)
 
 
@@ -105,60 +149,73 @@ def random_table(rng):
     separator = rng.choice(["\t", ";", ",", " ", ", "])
     width = rng.randint(1, 3)
     few = rng.sample(CELLS, rng.randint(1, 4))
-    head = separator.join(["t", "v", "w"][:width]) + "\n"
-    start = rng.choice(["", "a\n", head])
+    head = separator.join(rng.choices(HEADS, k=width)) + "\n" if rng.random() < 0.6 else ""
     rows = [separator.join(rng.choices(few, k=width)) for _ in range(rng.randint(1, 6))]
-    return start + "\n".join(rows)
+    return rng.choice(ABOVE) + head + "\n".join(rows) + rng.choice(BELOW)
 
 
-@pytest.mark.parametrize("decimal", [None, ",", "."])
-def test_a_text_is_read_as_python_reads_it(decimal, bundle):
-    texts = [*(text for text in KNOWN if len(text) < 1e5), *OURS, *random_texts(1500)]
-    results = javascript(bundle, f"(text, _) => _.readText(text, {json.dumps(decimal)})", *texts)
-    wrong = [
-        (text, js, py)
-        for text, js in zip(texts, results)
-        if js != (py := as_in_python(read_text, text, decimal))
-    ]
-    assert wrong[:3] == []
-    assert (
-        sum("error" in result for result in results) > 300
-        and sum("columns" in result for result in results) > 300
-    )
+def test_any_text_is_read_as_python_reads_it(bundle):
+    rng = random.Random(3)
+    options = [{}, {}, {"decimal": ","}, {"decimal": "."}, {"missing": [3]}]
+    cases = [(text, rng.choice(options)) for text in [*OURS, *random_texts(700)]]
+    assert differing(bundle, cases)[:2] == []
+    refused = sum("error" in in_python(*case) for case in cases)
+    assert 300 < refused < len(cases) - 300
 
 
 def test_long_texts_are_read_or_refused_as_in_python(bundle):
-    for text in ("v\n" + "1,5\n" * 200_000, "1\n" * 200_001, "1\n" * 200_003):
-        assert javascript(bundle, "(text, _) => _.readText(text)", text) == [
-            as_in_python(read_text, text)
-        ]
+    for text in ("1\n" * 200_001, *(make() for make in HUGE.values())):
+        assert differing(bundle, [(text, {})]) == []
 
 
-def test_files_are_read_as_in_python(bundle):
-    text, read = (
-        "Suhu °C;n\r\n0,39;1\r\n–0,49;2\r\n",
-        "([name, content], _) => _.readFile(name, _.bytes(content))",
-    )
-    files = [
-        ("Data.CSV", text.encode(encoding))
-        for encoding in cases(test_table.test_every_encoding_of_a_text_file_is_read)
-    ] + [("a.tsv", b"1\t2\n"), ("b.txt", b"1\nx")]
-    refused = list(cases(test_table.test_another_kind_of_file_is_refused)) + [
-        ("a.xlsx", xlsx([[1], [2]])),
-        ("<b>.exe", b"MZ\0\0"),
-        ("csv", b"1"),
+# --- files --------------------------------------------------------------------------------------
+
+READ_FILE = f"""async ([content, options]) => {{
+  const {{ opened, readTable }} = KalmanExplorers.papers.smoother;
+  const {{ InputError }} = KalmanExplorers.input;
+  const bytes = Uint8Array.from(atob(content), sign => sign.charCodeAt(0));
+  const plain = value => value instanceof Map ? [...value].map(([name, one]) => [name,
+    Array.from(one, number => Number.isNaN(number) ? "nan" : number)]) : value;
+  try {{
+    const file = await opened({{ name: "a.csv", bytes }});
+    const table = ({TABLE})(readTable({{ file }}, options));
+    return {{ ...table, columns: plain(table.columns) }};
+  }} catch (error) {{
+    if (!(error instanceof InputError)) throw error;
+    return {{ error: [error.id, error.en] }};
+  }}
+}}"""
+
+
+def from_file(bundle, content, options=None):
+    return bundle.evaluate(READ_FILE, [base64.b64encode(content).decode(), options or {}])
+
+
+def test_every_encoding_is_read_as_in_python(bundle):
+    text = "Suhu °C;n\r\n0,39;1\r\n–0,49;2\r\n"
+    for encoding in ("utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "cp1252"):
+        content = text.encode(encoding)
+        assert from_file(bundle, content) == in_python(content, {})
+
+
+def test_workbooks_are_read_as_in_python(bundle):
+    dates = [["Waktu", "z"], [np.datetime64("2024-01-01T10:00").astype(object), 0.5]]
+    dates += [
+        [np.datetime64("2024-01-01T10:00:30").astype(object), "0,75"],
+        [None, None],
+        [None, 2],
     ]
+    book = xlsx([["Info"], [2026]], dates, [["v"], [1], [2], [-999], [1.5]])
+    for options in ({}, {"sheet": "Data 3"}, {"sheet": "Data 3", "missing": []}, {"sheet": "x"}):
+        assert from_file(bundle, book, options) == in_python(book, options)
+    for rows in ([["z"], [1], ["=1+1"]], [["z"], [1], [True]], [["a"]], [], [["z"], [1], ["#N/A"]]):
+        assert from_file(bundle, xlsx(rows)) == in_python(xlsx(rows), {})
 
-    def send(files):
-        return [[name, base64.b64encode(content).decode()] for name, content in files]
 
-    assert javascript(bundle, read, *send(files)) == [
-        as_in_python(read_file, *file) for file in files
-    ]
-    for (name, _), answer in zip(refused, javascript(bundle, read, *send(refused))):
-        assert (
-            repr(name) in answer["error"][0]
-            and "CSV" in answer["error"][0]
-            and "bukan berkas teks" in answer["error"][0]
-            and "save it as CSV" in answer["error"][1]
-        )
+def test_what_is_no_table_is_refused_as_in_python(bundle, tmp_path):
+    locked = b"\xd0\xcf\x11\xe0" + "EncryptedPackage".encode("utf-16-le")
+    refused = [b"\xd0\xcf\x11\xe0\xa1\xb1", locked, b"\x89PNG\0", b"PK\x03\x04broken", b"1\n\x81"]
+    refused += [archive(sheet1=sheet_of(*rows)) for rows in HOSTILE.values()]
+    for content in refused:
+        (tmp_path / "a.csv").write_bytes(content)
+        assert from_file(bundle, content) == in_python(tmp_path / "a.csv", {})

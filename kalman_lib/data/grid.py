@@ -1,17 +1,25 @@
 """Text in, grid out: finds what separates the columns.
 
 A grid is a list of (line, cells): the number of the line in the source and its cells as text; a
-blank line has no cells."""
+blank line has no cells. Every way to part the lines is tried on the first of them (readings.py
+weighs the results); the best one parts the whole text.
+"""
 
 import csv
 import io
 import re
 
-from .cells import is_gap, is_number, quoted, to_number
 from .errors import InputError
+from .limits import MAX_CELLS, MAX_READ, too_long, too_many_cells
+from .readings import NO_REMARK, best_of
 
-NO_REMARK = ("", "")
+TRIED_LINES = 500  # tell how the columns are separated
+TRIED_SIGNS = 200_000
+AROUND = 1000  # lines of text around a table
 CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f]")  # no text holds these
+TIGHT_COMMA = re.compile(r"[0-9],[0-9]")
+NAMED_DAY = re.compile(r"\b([0-9]{1,2}) ([A-Za-z]{3,9}) ([0-9]{4})\b")
+HALF_OF_DAY = re.compile(r"([0-9]) ([AaPp]\.?[Mm]\b)")
 
 
 def decode(content):
@@ -37,93 +45,117 @@ def _encodings(content):
 
 
 def split(text, decimal):
-    """A text -> its grid, and a remark (en, id) on how it was understood, NO_REMARK where that is
+    """A text -> its grid, and a remark {en, id} on how it was understood, NO_REMARK where that is
     plain.
 
     decimal: the decimal sign, "," or "."; None: not known.
     """
-    for separator in "\t;":
-        if separator in text:
-            return read_rows(text, separator), NO_REMARK
-    if "," not in text:
-        return _between_blanks(read_rows(text, "\t")), NO_REMARK
-    if '",' in text or ',"' in text:
-        return read_rows(text, ","), NO_REMARK
-    return _split_at_commas(text, decimal)
+    lines = text.count("\n") + 1
+    if lines > MAX_READ + AROUND:
+        raise too_long(lines)
+    sample = "\n".join(text[:TRIED_SIGNS].split("\n")[:TRIED_LINES])
+    ways = _tried(sample)
+    if not ways:
+        return _part(text, "lines"), NO_REMARK
+    name, remark = best_of(ways, decimal)
+    sign = {"tab": "\t", "semicolon": ";", "comma": ",", "comma and blank": ", "}.get(name, " ")
+    cells = text.count(sign) + lines
+    if name not in ("lines", "two blanks", "blank") and cells > MAX_CELLS:
+        raise too_many_cells(cells)
+    return _part(text, name), remark
 
 
-def _split_at_commas(text, decimal):
-    """A text in which a comma separates either columns or the decimals."""
-    columns = read_rows(text, ",")
-    whole = _between_blanks(read_rows(text, "\t"))
-    if decimal == ",":
-        return whole, NO_REMARK
-    if not any(is_number(cell) for cell in _first_cells(columns) + _first_cells(whole)):
-        has_columns = len(_first_cells(columns)) > 1  # the header decides
-        return (columns if has_columns else whole), NO_REMARK
-    if ", " in text or not all(is_number(cell) or is_gap(cell) for cell in _all_cells(whole)):
-        return columns, NO_REMARK
-    if not _is_even(columns):
-        return whole, NO_REMARK
-    if decimal == ".":
-        return columns, NO_REMARK
-    return whole, _read_as_decimals(whole)
+def _tried(sample):
+    """{name: grid} of the ways that part the sample without trouble."""
+    found = {}
+    for name in _ways(sample):
+        try:
+            found[name] = _part(sample, name, strict=False)
+        except InputError:
+            continue
+    return found
 
 
-def _read_as_decimals(whole):
-    """The remark that the commas were taken for decimal ones; InputError where that is not
-    certain."""
-    line, cell = next((line, cell) for line, cells in whole for cell in cells if "," in cell)
-    if any(to_number(other, ",") is None for other in _all_cells(whole)):
-        raise InputError(
-            f"Line {line}, {quoted(cell)}: the comma may separate thousands or columns; add a "
-            "header line, use semicolons between columns, or choose the decimal sign.",
-            f"Baris {line}, {quoted(cell)}: koma dapat memisahkan ribuan atau kolom; tambahkan "
-            "baris judul, pisahkan kolom dengan titik koma, atau pilih tanda desimal.",
-        )
-    return (
-        f"; {quoted(cell)} was read as one number with decimal comma, not as columns",
-        f"; {quoted(cell)} dibaca sebagai satu bilangan dengan koma desimal, bukan beberapa kolom",
-    )
+def _ways(sample):
+    """How the lines may be parted, the likeliest first."""
+    ways = []
+    if "\t" in sample:
+        ways.append("tab")
+    if ";" in sample:
+        ways.append("semicolon")
+    if ", " in sample and TIGHT_COMMA.search(sample):
+        ways.append("comma and blank")
+    if "," in sample:
+        ways.append("comma")
+    return [*ways, "two blanks", "blank", "lines"]
 
 
-def _all_cells(grid):
-    return [cell for _, cells in grid for cell in cells]
+def _part(text, name, strict=True):
+    """The grid of a text, parted in one of these ways."""
+    signs = {"tab": "\t", "semicolon": ";", "comma": ","}
+    if name in signs:
+        return read_rows(text, signs[name], strict)
+    grid = read_rows(text, "\t", strict)
+    if name == "lines":
+        return grid
+    if name == "comma and blank":
+        return _cut(grid, ", +")
+    grid = [(line, [_glued(cells[0])] if cells else []) for line, cells in grid]
+    return _cut(grid, r"\s\s+" if name == "two blanks" else r"[^\S\u00a0\u202f\u2009]+")
 
 
-def _first_cells(grid):
-    """The cells of the first line that is not blank."""
-    return next((cells for _, cells in grid if cells), [])
+def _glued(text):
+    """One word of "1 Mei 2024", of "10:00 PM" and of "# t"."""
+    text = NAMED_DAY.sub(r"\1-\2-\3", HALF_OF_DAY.sub(r"\1\2", text))
+    return "#" + text[1:].lstrip() if text.startswith("#") else text
 
 
-def read_rows(text, separator):
+def _cut(grid, blanks):
+    """The cells between these blanks; InputError if they are too many."""
+    between, result, total = re.compile(blanks), [], 0
+    for line, cells in grid:
+        parts = between.split(cells[0]) if cells else []
+        total += len(parts)
+        if total > MAX_CELLS:
+            raise too_many_cells(total)
+        result.append((line, parts))
+    return result
+
+
+def read_rows(text, separator, strict=True):
     """A text -> its grid, the cells between these separators."""
     reader = csv.reader(
         io.StringIO(text, newline=None),
         delimiter=separator,
         skipinitialspace=separator != "\t",
-        strict=True,
+        strict=strict,
     )
-    grid = []
-    for row in reader:
-        cells = [cell.strip() for cell in row]
-        grid.append((reader.line_num, cells if any(cells) else []))
+    grid, total = [], 0
+    try:
+        for row in reader:
+            cells = [cell.strip() for cell in row]
+            grid.append((reader.line_num, cells if any(cells) else []))
+            total += len(cells)
+            if total > MAX_CELLS:
+                raise too_many_cells(total)
+    except csv.Error as error:
+        is_long = "larger" in str(error)
+        raise _too_long_cell(reader.line_num) if is_long else _unpaired(reader.line_num) from None
     return grid
 
 
-def _between_blanks(grid):
-    """The cells between blanks, or between two and more where single ones are part of a name."""
-    single = _cut(grid, r"\s+")
-    several = _cut(grid, r"\s\s+")
-    if _is_even(single) or not _is_even(several):
-        return single
-    return several if any(is_number(cell) for cell in _all_cells(several)) else single
+def _too_long_cell(line):
+    return InputError(
+        f"Line {line}: a cell is too long; no column can be told apart.",
+        f"Baris {line}: sebuah sel terlalu panjang; kolomnya tidak dapat dibedakan.",
+    )
 
 
-def _cut(grid, blanks):
-    return [(line, re.split(blanks, cells[0]) if cells else []) for line, cells in grid]
+def _unpaired(line):
+    return InputError(
+        f"The quotation marks do not pair up (line {line}).",
+        f"Tanda kutip tidak berpasangan (baris {line}).",
+    )
 
 
-def _is_even(grid):
-    """Have all lines as many cells?"""
-    return len({len(cells) for _, cells in grid if cells}) <= 1
+__all__ = ["NO_REMARK", "decode", "read_rows", "split"]

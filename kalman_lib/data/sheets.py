@@ -1,76 +1,105 @@
-"""The bytes of an Excel workbook in, grids out."""
+"""The bytes of an Excel workbook in, grids out: an archive of XML, whose size is checked before and
+while it is read. (openpyxl fills every row and cell up to the last one, however far away it is.)"""
 
 import io
-import warnings
+import posixpath
+import struct
+import zipfile
+import zlib
+from lzma import LZMAError
+from xml.parsers.expat import ExpatError
 
-from openpyxl import load_workbook
-
-from .cells import is_number
+from . import openxml
+from .cells import is_number, quoted
 from .errors import InputError
+
+MAX_PART = 50_000_000  # bytes of one part of the archive
+MAX_PARTS = 10_000
+DAMAGED = (
+    zipfile.BadZipFile,
+    zlib.error,
+    LZMAError,
+    struct.error,
+    ExpatError,
+    EOFError,
+    OSError,
+    NotImplementedError,
+    RuntimeError,
+    ValueError,
+    LookupError,
+    OverflowError,
+)
 
 
 def grids(name, content, skip=()):
-    """Yields (title, grid, number of sheets) of each sheet with numbers, without those in skip."""
+    """Yields (title, grid) of each sheet with numbers, without those in skip."""
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # openpyxl warns of decorations that it cannot keep
-            results = _sheets(content, data_only=True)
-            formulas = _sheets(content, data_only=False)
-            for sheet, formula_sheet in zip(results, formulas):
-                if sheet.title in skip:
-                    continue
-                grid = _grid(sheet, formula_sheet)
-                if any(is_number(cell) for _, cells in grid for cell in cells):
-                    yield sheet.title, grid, len(results)
+        with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            yield from _grids(name, archive, skip)
     except InputError:
         raise
-    except Exception as error:  # a damaged file breaks openpyxl in many ways
-        raise unreadable(name) from error
+    except DAMAGED as error:
+        raise damaged(name) from error
 
 
-def unreadable(name):
-    """The InputError for a file of another kind."""
-    shown = repr(name[:60])
+def damaged(name):
+    shown_en, shown_id = (quoted(name), quoted(name)) if name else ("This file", "Berkas ini")
     return InputError(
-        f"{shown} is not a text (.csv, .txt, .tsv) or Excel .xlsx file; save it as one of these.",
-        f"{shown} bukan berkas teks (.csv, .txt, .tsv) atau Excel .xlsx; simpanlah sebagai itu.",
+        f"{shown_en} is damaged: it cannot be unpacked as an .xlsx file; save it again.",
+        f"{shown_id} rusak: tidak dapat dibuka sebagai .xlsx; simpanlah sekali lagi.",
     )
 
 
-def _sheets(content, data_only):
-    return load_workbook(io.BytesIO(content), read_only=True, data_only=data_only).worksheets
+def _grids(name, archive, skip):
+    paths = archive.namelist()
+    if len(paths) > MAX_PARTS:
+        raise _too_large(name)
+    book = next((path for path in paths if path.endswith("xl/workbook.xml")), None)
+    if book is None:
+        raise _no_workbook(name)
+    folder = posixpath.dirname(book)
 
+    def part(path):
+        return _part(name, archive, path) if path in paths else b""
 
-def _grid(sheet, formula_sheet):
-    """The grid of a sheet, all its rows equally wide."""
-    sheet.reset_dimensions()  # which may be wrong in the file
-    formula_sheet.reset_dimensions()
-    grid = []
-    for line, rows in enumerate(zip(sheet.iter_rows(), formula_sheet.iter_rows()), start=1):
-        cells = [_content(sheet, cell, formula) for cell, formula in zip(*rows)]
-        grid.append((line, cells if any(cell != "" for cell in cells) else []))
-    width = max((len(cells) for _, cells in grid), default=0)
-    return [(line, _widened(cells, width)) for line, cells in grid]
-
-
-def _widened(cells, width):
-    """The cells of a row, followed by empty ones; a blank row stays without cells."""
-    return cells + [""] * (width - len(cells)) if cells else []
-
-
-def _content(sheet, cell, formula):
-    """A number as a float, anything else as text; InputError: a formula whose result is not
-    stored."""
-    if cell.value is None and formula.data_type == "f" and cell.data_type == "n":
-        place = formula.coordinate
-        raise InputError(
-            f"Cell {place} of sheet {sheet.title!r} holds a formula that was never calculated; "
-            "open and save the file once in Excel or LibreOffice.",
-            f"Sel {place} di lembar {sheet.title!r} berisi rumus yang belum pernah dihitung; "
-            "buka dan simpan berkas itu sekali di Excel atau LibreOffice.",
+    sheets, starts_1904 = openxml.sheets_in(part(book))
+    targets = openxml.relations_in(part(f"{folder}/_rels/workbook.xml.rels"))
+    strings = openxml.strings_in(part(f"{folder}/sharedStrings.xml"))
+    formats = openxml.formats_in(part(f"{folder}/styles.xml"))
+    for title, relation in sheets:
+        path = posixpath.normpath(posixpath.join("/" + folder, targets.get(relation, ""))).strip(
+            "/"
         )
-    if cell.value is None:
-        return ""
-    if type(cell.value) in (int, float):
-        return float(cell.value)
-    return str(cell.value).strip()
+        if title in skip or path not in paths or "worksheet" not in path:
+            continue
+        grid = openxml.grid_in(part(path), title, strings, formats, starts_1904)
+        if any(is_number(cell) for _, cells in grid for cell in cells):
+            yield title, grid
+
+
+def _part(name, archive, path):
+    """The bytes of one part; InputError while unpacking, if they are too many."""
+    with archive.open(path) as file:
+        content = file.read(MAX_PART + 1)
+    if len(content) > MAX_PART:
+        raise _too_large(name)
+    return content
+
+
+def _too_large(name):
+    most = MAX_PART // 10**6
+    shown_en, shown_id = (quoted(name), quoted(name)) if name else ("This file", "Berkas ini")
+    return InputError(
+        f"{shown_en} unpacks to more than {most} MB, the limit.",
+        f"{shown_id} menjadi lebih dari {most} MB setelah dibuka; itu batasnya.",
+    )
+
+
+def _no_workbook(name):
+    shown_en, shown_id = (quoted(name), quoted(name)) if name else ("This", "Ini")
+    return InputError(
+        f"{shown_en} is an archive, but not an Excel .xlsx file; open it and save it as .xlsx or "
+        ".csv.",
+        f"{shown_id} sebuah arsip, tetapi bukan berkas Excel .xlsx; bukalah lalu simpan sebagai "
+        ".xlsx atau .csv.",
+    )

@@ -9,7 +9,7 @@ from openpyxl.workbook.defined_name import DefinedName
 
 from . import workbook_words as words
 from .errors import InputError
-from .table import MAX_NUMBER, too_long
+from .limits import MAX_NUMBER, too_long
 from .workbook_parts import (
     FIRST,
     INPUT,

@@ -1,4 +1,4 @@
-"""What the kernel does for an explorer: it reads workbooks and recordings, and writes workbooks.
+"""What the kernel does for an explorer: it reads recordings and writes workbooks.
 
 Twin of book/explorers/jupyter/kernel.js, which asks. Arrays travel as buffers of float64.
 """
@@ -7,14 +7,8 @@ import io
 
 import numpy as np
 
-from ..data import InputError, read_file, read_recording, rest_seconds, write_workbook
+from ..data import InputError, read_recording, rest_seconds, write_workbook
 
-DECIMAL = {
-    "comma": ",",
-    "point": ".",
-    ",": ",",
-    ".": ".",
-}  # what the explorers call the decimal signs
 XLSX = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"
 NO_REST = InputError(
     "This recording does not begin at rest. Let the phone lie still for a few seconds, then start.",
@@ -33,25 +27,11 @@ def answer(question, buffers):
         if question.get("write") == "workbook":
             return written(question, contents)
         files = dict(zip(question["names"], contents))
-        if question["read"] == "recording":
-            return recording(files)
-        return table(files, DECIMAL.get(question["sign"]))
+        return recording(files)
     except InputError as error:
         return {"error": {"id": error.id, "en": error.en}}, []
     except Exception as error:  # the reader must see it, too
         return {"error": {"id": str(error) or repr(error), "en": str(error) or repr(error)}}, []
-
-
-def table(files, decimal):
-    """The columns of a workbook."""
-    ((name, content),) = files.items()
-    found = read_file(name, content, decimal)
-    message = {
-        "columns": list(found.columns),
-        "lines": found.lines.tolist(),
-        "note": {"id": found.note_id, "en": found.note_en},
-    }
-    return message, [as_buffer(column) for column in found.columns.values()]
 
 
 def recording(files):

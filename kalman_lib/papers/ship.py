@@ -283,9 +283,10 @@ def _checked_times(t):
     back = np.diff(t) <= 0
     if back.any():
         row = int(np.argmax(back)) + 2
-        now, before = f"{t[row - 1]:g}", f"{t[row - 2]:g}"
+        now, before = f"{t[row - 1]:.15g}", f"{t[row - 2]:.15g}"
+        stamps = f"{now} s setelah {before} s"
         raise ValueError(
             f"The time does not increase at row {row} of the data ({now} s after {before} s). / "
-            f"Waktu tidak bertambah di baris data ke-{row} ({now} s setelah {before} s)."
+            f"Waktu tidak bertambah di baris data ke-{row} ({_decimal_comma(stamps)})."
         )
     return t

@@ -1,11 +1,15 @@
 // The controls below the figures, one function a kind. Each returns {element, show()}: show() brings the
 // element up to date with the state. What a paper writes for each kind stands in papers/README.md.
 import { make, setAttribute, setText } from "../drawing/make.js";
+import { InputError } from "../language/input.js";
 import { calm, glide, play } from "./motion.js";
 import { saveFile } from "./hand-over.js";
 import { copy, makeButton, safely } from "./messages.js";
 import { makeSlider } from "./slider.js";
 import { WORDS } from "./words.js";
+
+const LONGEST_NAME = 60; // letters of a file's name in a message
+const MEGABYTE = 1e6;
 
 const KINDS = {
   slider: makeSlider,
@@ -117,6 +121,9 @@ function makeFile(explorer, control) {
     }
   };
   box.addEventListener("change", () => safely(explorer, () => take(box.files)));
+  box.addEventListener("click", () => {
+    box.value = ""; // the same file, corrected on the disk, may be chosen again
+  });
   const hint = make("span", { className: "explorer-hint", textContent: explorer.t.say(WORDS.drop) });
   const element = make("div", {}, nameOf(explorer, control, id), box, hint);
   element.addEventListener("dragover", (event) => event.preventDefault());
@@ -132,14 +139,28 @@ function makeFile(explorer, control) {
   return { element, show };
 }
 
-/** What a file control puts into the state: the bytes, or what the kernel has read from them. */
+/** What a file control puts into the state: the bytes, what they open to, or what the kernel has read. */
 async function readFiles(explorer, control, files) {
-  const contents = files.map(async (file) => {
-    return { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
+  const loaded = await Promise.all(files.map((file) => bytesOf(file, control, explorer.t)));
+  if (control.reads?.test(loaded[0].name)) {
+    return explorer.host.kernel.read(control.what, loaded, explorer.s);
+  }
+  return control.open ? control.open(loaded[0]) : loaded[0];
+}
+
+/** {name, bytes}; InputError: it is too large, or the browser cannot read it: a folder, or it is gone. */
+async function bytesOf(file, { largest = Infinity }, t) {
+  const wrong = (words) => {
+    const values = { name: file.name.slice(0, LONGEST_NAME), most: String(largest / MEGABYTE) };
+    return new InputError({ [t.language]: t.say(words, values) });
+  };
+  if (file.size > largest) {
+    throw wrong(WORDS.too_large);
+  }
+  const content = await file.arrayBuffer().catch(() => {
+    throw wrong(WORDS.unreadable);
   });
-  const loaded = await Promise.all(contents);
-  const isForKernel = control.reads && control.reads.test(loaded[0].name);
-  return isForKernel ? explorer.host.kernel.read(control.what, loaded, explorer.s) : loaded[0];
+  return { name: file.name, bytes: new Uint8Array(content) };
 }
 
 function makeButtons(explorer, control) {

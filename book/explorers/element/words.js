@@ -34,5 +34,13 @@ export const WORDS = {
   revealed: { id: "Jawabannya {value}. {hint}", en: "The answer is {value}. {hint}" },
   controls: { id: "Kendali", en: "Controls" },
   drop: { id: "atau seret berkas ke sini", en: "or drop a file here" },
+  unreadable: {
+    id: "“{name}” tidak dapat dibaca peramban. Pilihlah sebuah berkas, bukan folder.",
+    en: "The browser cannot read “{name}”. Choose a file, not a folder.",
+  },
+  too_large: {
+    id: "“{name}” terlalu besar; batasnya {most} MB.",
+    en: "“{name}” is too large; the limit is {most} MB.",
+  },
   stop: { id: "Berhenti", en: "Stop" },
 };

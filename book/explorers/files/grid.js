@@ -1,22 +1,25 @@
-// From a text or the bytes of a file to a grid: a list of [line, cells], in which a blank line has no cells.
-// The same rules as Python's reader: which encoding, which separator, which quotation marks.
+// Text in, grid out: finds what separates the columns. Twin of kalman_lib/data/grid.py. A grid is a list of
+// [line, cells], in which a blank line has no cells. Every way to part the lines is tried on the first of
+// them (readings.js weighs the results); the best one parts the whole text.
 import { InputError } from "../language/input.js";
-import { isGap, isNumber, quoted, valueOf } from "./cells.js";
+import { BETWEEN_NUMBERS, BLANK, count, strip } from "./blanks.js";
+import { MAX_CELLS, MAX_READ, tooLong, tooManyCells } from "./limits.js";
+import { TIGHT_COMMA, bestOf } from "./readings.js";
 
+const TRIED_LINES = 500; // tell how the columns are separated
+const TRIED_SIGNS = 200000;
+const AROUND = 1000; // lines of text around a table
 const MAX_CELL = 131072; // the longest cell that Python's csv takes
-
-// What Python calls a blank
-const BLANK = "[\\t-\\r\\x1c- \\x85\\xa0\\u1680\\u2000-\\u200a\\u2028\\u2029\\u202f\\u205f\\u3000]";
-const ENDS = new RegExp(`^${BLANK}+|${BLANK}+$`, "g");
-export const BLANKS = new RegExp(`${BLANK}+`);
-const TWO_BLANKS = new RegExp(`${BLANK}{2,}`);
+const SIGNS = { tab: "\t", semicolon: ";", comma: "," };
+const BETWEEN = {
+  "comma and blank": /, +/,
+  "two blanks": new RegExp(`[${BLANK}]{2,}`),
+  blank: new RegExp(`[${BETWEEN_NUMBERS}]+`),
+};
+const NAMED_DAY = /\b([0-9]{1,2}) ([A-Za-z]{3,9}) ([0-9]{4})\b/g;
+const HALF_OF_DAY = /([0-9]) ([AaPp]\.?[Mm]\b)/g;
 const CONTROL = /[\x00-\x08\x0e-\x1f]/; // no text holds these
 const NOT_IN_WINDOWS_1252 = /[\x81\x8d\x8f\x90\x9d]/;
-export const NO_REMARK = { en: "", id: "" };
-
-export function strip(text) {
-  return text.replace(ENDS, "");
-}
 
 /** Bytes -> text: UTF-8, UTF-16 or Windows-1252; null if it is no text at all. */
 export function decode(bytes) {
@@ -49,98 +52,118 @@ function decodedAs(encoding, bytes) {
   }
 }
 
-/** A text -> [grid, remark]: finds the separator. decimal: "," or "." if the reader has chosen it. */
+/** A text -> [grid, remark {en, id} or null]. decimal: "," or "." if the reader has chosen it. */
 export function split(text, decimal) {
-  for (const separator of ["\t", ";"]) {
-    if (text.includes(separator)) {
-      return [csv(text, separator), NO_REMARK];
+  const lines = count(text, "\n") + 1;
+  if (lines > MAX_READ + AROUND) {
+    throw tooLong(lines);
+  }
+  const sample = text.slice(0, TRIED_SIGNS).split("\n").slice(0, TRIED_LINES).join("\n");
+  const ways = tried(sample);
+  if (ways.size === 0) {
+    return [part(text, "lines"), null];
+  }
+  const [name, remark] = bestOf(ways, decimal);
+  const cells = name in SIGNS ? count(text, SIGNS[name]) + lines : 0;
+  if (cells > MAX_CELLS) {
+    throw tooManyCells(cells);
+  }
+  return [part(text, name), remark];
+}
+
+/** Map of name -> grid: the ways that part the sample without trouble. */
+function tried(sample) {
+  const found = new Map();
+  for (const name of waysFor(sample)) {
+    try {
+      found.set(name, part(sample, name, false));
+    } catch (error) {
+      if (!(error instanceof InputError)) {
+        throw error;
+      }
     }
   }
-  if (!text.includes(",")) {
-    return [betweenBlanks(csv(text, "\t")), NO_REMARK];
-  }
-  if (text.includes('",') || text.includes(',"')) {
-    return [csv(text, ","), NO_REMARK];
-  }
-  return splitAtCommas(text, decimal);
+  return found;
 }
 
-/** The hard case: do the commas separate columns, or are they decimal signs? */
-function splitAtCommas(text, decimal) {
-  const commas = csv(text, ",");
-  const whole = betweenBlanks(csv(text, "\t"));
-  if (decimal === ",") {
-    return [whole, NO_REMARK];
-  }
-  const firstRow = firstCells(commas);
-  const isHeader = ![...firstRow, ...firstCells(whole)].some(isNumber);
-  if (isHeader) {
-    return [firstRow.length > 1 ? commas : whole, NO_REMARK];
-  }
-  const numeric = (cell) => isNumber(cell) || isGap(cell);
-  if (text.includes(", ") || !whole.every(([, cells]) => cells.every(numeric))) {
-    return [commas, NO_REMARK];
-  }
-  if (!isEven(commas)) {
-    return [whole, NO_REMARK];
-  }
-  return decimal === "." ? [commas, NO_REMARK] : asDecimals(whole);
-}
-
-/**
- * The commas may be either: taken as decimal signs, and the remark says so; InputError where that cannot be.
- */
-function asDecimals(whole) {
-  const hasComma = (cell) => cell.includes(",");
-  const [line, cells] = whole.find((row) => row[1].some(hasComma));
-  const shown = quoted(cells.find(hasComma));
-  const unreadable = (cell) => valueOf(cell, ",") === null;
-  if (whole.some((row) => row[1].some(unreadable))) {
-    throw new InputError({
-      en:
-        `Line ${line}, ${shown}: the comma may separate thousands or columns; add a header line, ` +
-        "use semicolons between columns, or choose the decimal sign.",
-      id:
-        `Baris ${line}, ${shown}: koma dapat memisahkan ribuan atau kolom; tambahkan baris judul, ` +
-        "pisahkan kolom dengan titik koma, atau pilih tanda desimal.",
-    });
-  }
-  const remark = {
-    en: `; ${shown} was read as one number with decimal comma, not as columns`,
-    id: `; ${shown} dibaca sebagai satu bilangan dengan koma desimal, bukan beberapa kolom`,
+/** How the lines may be parted, the likeliest first. */
+function waysFor(sample) {
+  const mayBe = {
+    tab: sample.includes("\t"),
+    semicolon: sample.includes(";"),
+    "comma and blank": sample.includes(", ") && TIGHT_COMMA.test(sample),
+    comma: sample.includes(","),
+    "two blanks": true,
+    blank: true,
+    lines: true,
   };
-  return [whole, remark];
+  return Object.keys(mayBe).filter((name) => mayBe[name]);
 }
 
-function firstCells(grid) {
-  const row = grid.find(([, cells]) => cells.length > 0);
-  return row ? row[1] : [];
+/** The grid of a text, parted in one of these ways. */
+function part(text, name, strict = true) {
+  if (name in SIGNS) {
+    return csv(text, SIGNS[name], strict);
+  }
+  const grid = csv(text, "\t", strict);
+  if (name === "lines") {
+    return grid;
+  }
+  return partedAt(BETWEEN[name], grid, name === "comma and blank" ? (line) => line : glued);
+}
+
+/** One word of "1 Mei 2024", of "10:00 PM" and of "# t". */
+function glued(text) {
+  const whole = text.replace(HALF_OF_DAY, "$1$2").replace(NAMED_DAY, "$1-$2-$3");
+  return whole.startsWith("#") ? `#${strip(whole.slice(1))}` : whole;
+}
+
+/** The cells between these blanks; InputError if they are too many. */
+function partedAt(blanks, grid, prepared) {
+  let total = 0;
+  return grid.map(([line, cells]) => {
+    const parts = cells.length > 0 ? prepared(cells[0]).split(blanks) : [];
+    total += parts.length;
+    if (total > MAX_CELLS) {
+      throw tooManyCells(total);
+    }
+    return [line, parts];
+  });
 }
 
 /** A text -> grid without blanks around a cell. Quotation marks as in Python's csv, strict. */
-function csv(text, separator) {
+function csv(text, separator, strict) {
   const lines = text.replace(/\r\n?/g, "\n").split("\n");
   if (lines.at(-1) === "") {
     lines.pop();
   }
-  const reader = { separator, grid: [], cells: [], cell: "", inside: false };
+  const reader = { separator, grid: [], cells: [], cell: "", inside: false, strict, total: 0 };
   lines.forEach((line, i) => {
+    reader.line = i + 1;
     readLine(reader, line);
     if (!reader.inside) {
       endRow(reader, i + 1);
     }
   });
+  if (reader.inside && strict) {
+    throw unpaired(lines.length);
+  }
   if (reader.inside) {
-    throw unpaired("unexpected end of data");
+    reader.cells.push(reader.cell);
+    endRow(reader, lines.length);
   }
   return reader.grid;
 }
 
 function endRow(reader, line) {
   if (reader.cells.some((cell) => cell.length > MAX_CELL)) {
-    throw unpaired(`field larger than field limit (${MAX_CELL})`);
+    throw tooLongCell(line);
   }
-  const cells = reader.cells.map(strip);
+  const cells = reader.cells.map((cell) => strip(cell));
+  reader.total += cells.length;
+  if (reader.total > MAX_CELLS) {
+    throw tooManyCells(reader.total);
+  }
   reader.grid.push([line, cells.some(Boolean) ? cells : []]);
   reader.cells = [];
 }
@@ -182,37 +205,44 @@ function readQuoted(reader, line, at) {
     return line.length + 1;
   }
   reader.cell += line.slice(at, end);
+  if (reader.cell.length > MAX_CELL) {
+    throw tooLongCell(reader.line);
+  }
   const after = end + 1;
   if (line[after] === '"') {
     reader.cell += '"'; // two of them stand for one
     return after + 1;
   }
+  if (after < line.length && line[after] !== reader.separator && reader.strict) {
+    throw unpaired(reader.line);
+  }
   if (after < line.length && line[after] !== reader.separator) {
-    throw unpaired(`'${reader.separator}' expected after '"'`);
+    return restOfCell(reader, line, after);
   }
   reader.cells.push(reader.cell);
   reader.inside = false;
   return after + 1;
 }
 
-function unpaired(why) {
+/** Words behind a quotation mark belong to the cell, where nothing is certain yet. */
+function restOfCell(reader, line, at) {
+  const found = line.indexOf(reader.separator, at);
+  const end = found < 0 ? line.length : found;
+  reader.cells.push(reader.cell + line.slice(at, end));
+  reader.inside = false;
+  return end + 1;
+}
+
+function unpaired(line) {
   return new InputError({
-    en: `The quotation marks in the text do not pair up (${why}).`,
-    id: `Tanda kutip dalam teks tidak berpasangan (${why}).`,
+    en: `The quotation marks do not pair up (line ${line}).`,
+    id: `Tanda kutip tidak berpasangan (baris ${line}).`,
   });
 }
 
-/** Rows of one cell -> the cells between blanks; two blanks or more where single ones are part of a name. */
-function betweenBlanks(grid) {
-  const splitAt = (gap) => grid.map(([line, cells]) => [line, cells.length ? cells[0].split(gap) : []]);
-  const single = splitAt(BLANKS);
-  const several = splitAt(TWO_BLANKS);
-  const holdsNumbers = several.some(([, cells]) => cells.some(isNumber));
-  return !isEven(single) && isEven(several) && holdsNumbers ? several : single;
-}
-
-/** Has every row that is not blank as many cells? */
-function isEven(grid) {
-  const widths = grid.map(([, cells]) => cells.length).filter((width) => width > 0);
-  return new Set(widths).size <= 1;
+function tooLongCell(line) {
+  return new InputError({
+    en: `Line ${line}: a cell is too long; no column can be told apart.`,
+    id: `Baris ${line}: sebuah sel terlalu panjang; kolomnya tidak dapat dibedakan.`,
+  });
 }

@@ -1,16 +1,15 @@
-// What the kernel does for an explorer: it reads the reader's workbooks and recordings, and writes a workbook
+// What the kernel does for an explorer: it reads the reader's recordings, and writes a workbook
 // with chart and notes. Twin of kalman_lib/live/files.py, which answers.
-import { safely } from "../element/messages.js";
 import { InputError } from "../language/input.js";
 
-/** {read(what, files, s), write(question), keepReading(explorer), leave()} for an anywidget's model. */
+/** {read(what, files), write(question), leave()} for an anywidget's model. */
 export function kernelOf(model) {
   const { ask, leave } = questions(model);
-  const read = async (what, files, { sign }) => {
+  const read = async (what, files) => {
     const names = files.map(({ name }) => name);
     const bytes = files.map((file) => file.bytes.slice().buffer);
-    const answer = await ask({ read: what, names, sign: sign ?? null }, bytes);
-    return { ...READERS[what](answer), name: names[0], files, sign };
+    const answer = await ask({ read: what, names }, bytes);
+    return { ...READERS[what](answer), name: names[0], files };
   };
   const write = async ({ arrays, ...question }) => {
     const names = Object.keys(arrays);
@@ -18,16 +17,7 @@ export function kernelOf(model) {
     return { name: answer.name, type: answer.type, content: answer.buffers[0] };
   };
 
-  /** A workbook is read again when the reader chooses another decimal sign for it. */
-  const keepReading = (explorer) => {
-    const { file, sign } = explorer.s;
-    if (file?.table && file.sign !== sign) {
-      file.sign = sign;
-      const put = (again) => explorer.s.file === file && explorer.change({ file: again });
-      safely(explorer, () => read("table", file.files, explorer.s).then(put));
-    }
-  };
-  return { read, write, keepReading, leave };
+  return { read, write, leave };
 }
 
 /** {ask(question, buffers) -> a promise of the answer, leave()}. */
@@ -53,13 +43,7 @@ function questions(model) {
   return { ask, leave: () => model.off("msg:custom", hear) };
 }
 
-const READERS = { table: tableOf, recording: recordingOf };
-
-/** As files/table.js gives it. */
-function tableOf({ columns, lines, note, buffers }) {
-  const values = columns.map((name, i) => [name, numbersOf(buffers[i])]);
-  return { table: { columns: new Map(values), lines, note } };
-}
+const READERS = { recording: recordingOf };
 
 /** {rest_s, note, T, t, gyr, acc, mag, truth}: Float64Arrays, all but t with three columns; null: missing. */
 function recordingOf({ arrays, rest_s, note, buffers }) {

@@ -16,9 +16,9 @@ const RECIPE = [
   [5, 0],
 ];
 const DT = 0.1; // s
+const EVERY_DIGIT = 15;
 
 export const SPEED_UNITS = { "m/s": 1, "cm/s": 0.01, "km/h": 1 / 3.6, kn: 1852 / 3600 }; // in m/s
-export const TIME_UNITS = { s: 1, ms: 0.001, min: 60 }; // in s
 
 /** State [speed now, speed one sample before] in m/s; the constant c enters through the input u = 1. */
 export function model(p) {
@@ -165,7 +165,7 @@ export function sampling(t, tolerance = 0.05) {
   const row = steps.findIndex((step) => !(step > 0)) + 1;
   if (row > 0) {
     const place = { row: String(row + 1), now: t[row], before: t[row - 1] };
-    throw new InputError(inBoth(SAMPLING.backwards, place));
+    throw new InputError(inBoth(SAMPLING.backwards, place, EVERY_DIGIT));
   }
   const sorted = steps.slice().sort();
   const dt = median(sorted);

@@ -1,11 +1,13 @@
 // What the explorer of chapter 4 shows: the fit of AR(2), its poles, and the filter with the fitted model.
+import { ownControls } from "../../files/own.js";
+import { TIME_UNITS } from "../../files/units.js";
 import { mean, nis, rmse } from "../../numerics/metrics.js";
 import { rtsSmooth } from "../../numerics/smoother.js";
 import { bias, drawBias, LEAST, noiseAt } from "./bias.js";
-import { SPEED_UNITS, TIME_UNITS, expected_fit, poles, run } from "./model.js";
+import { SPEED_UNITS, expected_fit, poles, run } from "./model.js";
 import { circle, marks, polesText } from "./plane.js";
 import { question } from "./questions.js";
-import { columnNames, isOwn, load } from "./recording.js";
+import { isOwn, load, speedOf } from "./recording.js";
 import { BIAS, CONTROLS, FACTS, LABELS, NAME, OUTCOME, POLES, SPEED } from "./words.js";
 
 const TABLE_ROWS = 500;
@@ -142,15 +144,9 @@ function numbers(r, s, t) {
 // --- the view ----------------------------------------------------------------------------------------------
 
 const isSynthetic = (s) => !isOwn(s);
-const FIRST_COLUMNS = { time: 0, speed: 1 };
 const SPEED_NAMES = { "km/h": CONTROLS.km_h, kn: CONTROLS.knots };
 const time_units = Object.keys(TIME_UNITS).map((unit) => [unit, unit]);
 const speed_units = Object.keys(SPEED_UNITS).map((unit) => [unit, SPEED_NAMES[unit] ?? unit]);
-const signs = [
-  ["auto", CONTROLS.find_out],
-  ["comma", CONTROLS.comma],
-  ["point", CONTROLS.point],
-];
 const new_noise = { ...CONTROLS.noise, set: (s) => ({ seed: s.seed + 1 }) };
 const back = { ...CONTROLS.back, set: { text: null, file: null } };
 
@@ -162,50 +158,16 @@ const controls = [
   { kind: "check", name: "smooth", default: false, ...CONTROLS.smooth },
   { kind: "check", name: "first", default: false, ...CONTROLS.first, visible: isSynthetic },
   { kind: "check", name: "firstOwn", default: true, ...CONTROLS.first, visible: isOwn },
-  {
-    kind: "text",
-    name: "text",
-    rows: 4,
-    ...CONTROLS.text,
-    placeholder: CONTROLS.placeholder,
-    also: () => FIRST_COLUMNS,
-  },
-  {
-    kind: "file",
-    name: "file",
-    accept: ".csv,.txt,.tsv",
-    ...CONTROLS.file,
-    also: () => FIRST_COLUMNS,
-    withKernel: {
-      ...CONTROLS.file_for_kernel,
-      accept: ".csv,.txt,.tsv,.xlsx",
-      reads: /\.xlsx$/i,
-      what: "table",
-    },
-  },
-  select("time_unit", "s", time_units),
-  select("speed_unit", "m/s", speed_units),
-  select("sign", "auto", signs),
-  columnChoice("time"),
-  columnChoice("speed"),
+  ...ownControls({ words: CONTROLS, time: true, value: speedOf, rows: 4 }),
+  select("time_unit", time_units),
+  select("speed_unit", speed_units),
   { kind: "buttons", items: [back], visible: isOwn },
 ];
 
-/** Which column of a reader's table is the time, or the speed: by their places. */
-function columnChoice(name) {
-  return {
-    kind: "select",
-    name,
-    default: FIRST_COLUMNS[name],
-    ...CONTROLS[name],
-    visible: (s) => columnNames(s).length > 2,
-    options: (s) => columnNames(s).map((column, i) => [i, { id: column, en: column }]),
-  };
-}
-
 /** A choice for who brought data. */
-function select(name, first, options) {
-  return { kind: "select", name, default: first, ...CONTROLS[name], options, visible: isOwn };
+function select(name, options) {
+  const all = [["auto", CONTROLS.from_header], ...options];
+  return { kind: "select", name, default: "auto", ...CONTROLS[name], options: all, visible: isOwn };
 }
 
 export const view = {

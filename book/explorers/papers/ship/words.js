@@ -10,6 +10,18 @@ export const RECORDING = {
     id: "Diperlukan dua kolom bilangan, waktu dan kecepatan; hanya satu yang ditemukan.",
     en: "Two columns of numbers are needed, time and speed; only one was found.",
   },
+  no_time: {
+    id: "Tidak ada kolom waktu yang dikenali: pilihlah kolom waktu.",
+    en: "No column of times was found: choose the time column.",
+  },
+  taken: {
+    id: "Waktu dari kolom {time}, kecepatan dari kolom {value} dalam {unit}.",
+    en: "Time from column {time}, speed from column {value} in {unit}.",
+  },
+  assumed: {
+    id: "Satuan {name} tidak tertulis, jadi dianggap m/s.",
+    en: "The unit of {name} is not written, so m/s was assumed.",
+  },
   same: {
     id: "Waktu dan kecepatan harus dua kolom yang berbeda.",
     en: "Time and speed must be two different columns.",
@@ -62,22 +74,16 @@ export const CONTROLS = {
   smooth: { id: "penghalus (maju, lalu mundur)", en: "smoother (forwards, then backwards)" },
   first: { id: "mulai dari pengukuran pertama", en: "start at the first measurement" },
   text: {
-    id: "Data sendiri (tetap di perangkat ini): tempelkan dua kolom, waktu lalu kecepatan",
-    en: "Data of your own (it stays on this device): paste two columns, time then speed",
+    id: "Data sendiri (tetap di perangkat ini): tempelkan kolom waktu dan kecepatan",
+    en: "Data of your own (it stays on this device): paste columns of time and speed",
   },
   placeholder: { id: "0,0\t0,12\n0,1\t0,15", en: "0.0\t0.12\n0.1\t0.15" },
-  file: { id: "atau buka berkas CSV", en: "or open a CSV file" },
-  file_for_kernel: { id: "atau buka berkas CSV atau Excel", en: "or open a CSV or Excel file" },
-  time: { id: "Kolom waktu", en: "Time column" },
-  speed: { id: "Kolom kecepatan", en: "Speed column" },
+  value: { id: "Kolom kecepatan", en: "Speed column" },
+  from_header: { id: "dari judul kolom", en: "from the header" },
   time_unit: { id: "Satuan waktu", en: "Unit of time" },
   speed_unit: { id: "Satuan kecepatan", en: "Unit of speed" },
   km_h: { id: "km/jam", en: "km/h" },
   knots: { id: "knot", en: "knots" },
-  sign: { id: "Tanda desimal", en: "Decimal sign" },
-  find_out: { id: "kenali sendiri", en: "find out" },
-  comma: { id: "koma", en: "comma" },
-  point: { id: "titik", en: "point" },
   back: { id: "Kembali ke uji penarikan sintetis", en: "Back to the synthetic towing run" },
 };
 

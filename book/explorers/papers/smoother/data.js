@@ -1,6 +1,7 @@
 // Where the numbers of chapter 2 come from: the paper, three synthetic look-alikes, the Nile, or the reader.
 import nile from "data/nile.csv";
-import { readBrought, readText } from "../../files/table.js";
+import { broughtTable, chosenColumns, hasBrought } from "../../files/own.js";
+import { readTable } from "../../files/table.js";
 import { generator } from "../../numerics/random.js";
 import { LOOK_ALIKES, MEASURED, look_alike } from "./model.js";
 import { MEASURED_NAME, NO_DATA_YET, SOURCES } from "./words.js";
@@ -13,11 +14,6 @@ export const PAPER = { Q: 1e-5, R: 1e-5, x0: 0, P0: 1, window: 3 };
  * counts once, as nothing is known before it.
  */
 const NILE = { Q: 1469, R: 15099, x0: 1120, P0: 1e9, window: 5 };
-
-/** Has the reader brought data? */
-function hasBrought(s) {
-  return Boolean(s.text?.trim() || s.file);
-}
 
 /** Is it shown? */
 export function isOwn(s) {
@@ -44,7 +40,7 @@ export function settingsFor(source, s) {
  * something about it has changed.
  */
 export function load(s, memo) {
-  const key = [s.source, s.seed, s.text, s.file, s.sign, s.column];
+  const key = [s.source, s.seed, s.text, s.file, s.sheet, s.sign, s.missing, s.value];
   if (!memo.key?.every((value, i) => value === key[i])) {
     memo.data = { truth: null, names: [], name: MEASURED_NAME, ...dataOf(s) };
     memo.key = key;
@@ -63,16 +59,15 @@ function dataOf(s) {
     return { ...look_alike(s.source, generator(s.seed)), note: syntheticNote(SOURCES[s.source], s.seed) };
   }
   const { id, en } = SOURCES[s.source];
-  const z = s.source === "nile" ? readText(nile).columns.get("volume_1e8_m3") : MEASURED;
+  const z = s.source === "nile" ? readTable({ text: nile }).columns.get("volume_1e8_m3") : MEASURED;
   return { z, note: { id: `${id}.`, en: `${en}.` } };
 }
 
-function ownData({ file, text, sign: chosen_sign, column }) {
-  const sign = chosen_sign === "auto" ? null : chosen_sign;
-  const table = readBrought({ text, file }, sign);
-  const names = [...table.columns.keys()];
-  const name = names[column] ?? names[0];
-  return { z: table.columns.get(name), names, name: { id: name, en: name }, note: table.note };
+function ownData(s) {
+  const table = broughtTable(s);
+  const { value } = chosenColumns(s, table);
+  const z = table.columns.get(value);
+  return { z, names: [...table.columns.keys()], name: { id: value, en: value }, note: table.note };
 }
 
 /** "... (synthetic)" -> "... (synthetic, random seed 2)." */

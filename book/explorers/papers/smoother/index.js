@@ -4,7 +4,9 @@ import { drawing } from "./draw.js";
 import { online } from "./online.js";
 import { form } from "./view.js";
 
-export { readFile, readText } from "../../files/table.js"; // for the tests
+export { seriesOf } from "../../files/series.js"; // these three for the tests
+export { readTable } from "../../files/table.js";
+export { opened } from "../../files/workbook.js";
 export * from "./model.js";
 export { path_of } from "./paths.js";
 export { writeWorkbook } from "./workbook.js";

@@ -34,10 +34,11 @@ function someStep(z, random) {
   return known.length > 0 ? known[random.whole(Math.min(known.length, FIRST_KNOWN))] : null;
 }
 
-function stepOf({ z, result }, s, k) {
+function stepOf(r, s, k) {
+  const { z, result } = r;
   return {
     R: s.R,
-    P_before: k > 0 ? result.P[k - 1] : s.P0,
+    P_before: k > 0 ? result.P[k - 1] : r.p.P0,
     x_pred: result.x_pred[k],
     z: z[k],
     y: result.y[k],

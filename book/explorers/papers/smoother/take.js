@@ -1,5 +1,5 @@
 // What a reader of chapter 2 takes along: the result as text, as CSV, and as a workbook with live formulas.
-import { tooLong } from "../../files/table.js";
+import { tooLong } from "../../files/limits.js";
 import { nameOf, rivals } from "./shared.js";
 import { CONTROLS, TEXT_HEAD } from "./words.js";
 import { writeWorkbook } from "./workbook.js";
@@ -28,7 +28,9 @@ function copy(r, s, t) {
 }
 
 function saveCsv(r, s, t) {
-  return { name: "kalman.csv", type: "text/csv;charset=utf-8", content: asText(r, s, t, ",", ".") };
+  const [separator, decimal] = t.language === "id" ? [";", ","] : [",", "."]; // as Excel there expects
+  const content = asText(r, s, t, separator, decimal);
+  return { name: "kalman.csv", type: "text/csv;charset=utf-8", content };
 }
 
 function saveWorkbook(r, s, t) {
@@ -36,13 +38,13 @@ function saveWorkbook(r, s, t) {
     throw tooLong(r.z.length, MAX_WRITE);
   }
   const name = t.say(r.data.name);
-  const content = writeWorkbook({ z: r.z, p: s, result: r.result, smooth: r.smooth, name });
+  const content = writeWorkbook({ z: r.z, p: r.p, result: r.result, smooth: r.smooth, name });
   return { name: "kalman.xlsx", type: XLSX, content };
 }
 
 /** What a kernel is asked for instead: the same workbook, with its chart and its notes. */
 function askForWorkbook(r, s, t) {
-  const { Q, R, x0, P0 } = s;
+  const { Q, R, x0, P0 } = r.p;
   return { write: "workbook", name: t.say(r.data.name), Q, R, x0, P0, arrays: { z: r.z } };
 }
 

@@ -1,4 +1,5 @@
 // The first explorer of chapter 2: the paper's form, with data of the reader's own.
+import { ownControls } from "../../files/own.js";
 import { InputError } from "../../language/input.js";
 import { inBoth } from "../../language/speaker.js";
 import { rmse } from "../../numerics/metrics.js";
@@ -29,7 +30,8 @@ const VAGUE = 1e6; // P0 / R, where nothing is known yet
 function compute(s, memo) {
   const data = load(s, memo);
   const { z, truth } = data;
-  memo.result = run(s, data, memo.result);
+  const p = startsAtFirst(s) ? { ...s, ...startAt(z, s.R) } : s;
+  memo.result = run(p, data, memo.result);
   const { result } = memo;
   if (memo.k?.length !== z.length) {
     memo.k = counted(z.length);
@@ -44,7 +46,7 @@ function compute(s, memo) {
     lines.smooth = smooth.x;
   }
   const root = result.P.map(Math.sqrt);
-  return { data, z, truth, result, smooth, K, lines, k: memo.k, root, lags: {} };
+  return { data, p, z, truth, result, smooth, K, lines, k: memo.k, root, lags: {} };
 }
 
 /** The lags, for which a long series takes a while. */
@@ -84,6 +86,7 @@ function outcome(r, s, t) {
   const measures = { z: measure(r.z), x: measure(r.lines.x), average: measure(r.lines.average) };
   const sentences = [
     t.say(OUTCOME.shown, { n: String(r.z.length), what: t.say(r.data.note) }),
+    ...(startsAtFirst(s) ? [t.say(OUTCOME.first, { x0: r.p.x0 })] : []),
     t.say(OUTCOME.gain, { K: r.K, window: equal_window(r.K) }),
     t.say(r.truth ? OUTCOME.rmse : OUTCOME.rough, measures),
   ];
@@ -113,8 +116,17 @@ function facts(r, s, t) {
 /** The most likely Q and R; the likelihood starts at the first value, before which nothing is known. */
 function mostLikely(s, r) {
   const [Q, R] = maximum_likelihood(r.z.subarray(0, LIKELIHOOD_POINTS)).map(asSetting);
-  const first = r.z.find((value) => !Number.isNaN(value));
-  return { Q, R, x0: first, P0: Math.min(VAGUE * R, LARGEST_P0), likely: [Q, R] };
+  return { Q, R, ...startAt(r.z, R), likely: [Q, R] };
+}
+
+/** The first value starts the filter, and counts once: nothing is known before it. */
+function startAt(z, R) {
+  const first = z.find((value) => !Number.isNaN(value));
+  return { x0: first, P0: Math.min(VAGUE * R, LARGEST_P0) };
+}
+
+function startsAtFirst(s) {
+  return isOwn(s) && s.first;
 }
 
 /** A variance that was found, as the fields can hold it. */
@@ -136,21 +148,6 @@ function stretchOf(text, s, r) {
   return { R: asSetting(R_from_steady(values)), stretch };
 }
 
-const signs = [
-  ["auto", CONTROLS.find_out],
-  [",", CONTROLS.comma],
-  [".", CONTROLS.point],
-];
-
-const columnChoice = {
-  kind: "select",
-  name: "column",
-  default: 0,
-  ...CONTROLS.column,
-  visible: (s, r) => isOwn(s) && r?.data.names.length > 1,
-  options: (s, r) => (r?.data.names ?? []).map((name, i) => [i, { id: name, en: name }]),
-};
-
 const newNoise = { ...CONTROLS.noise, set: (s) => ({ seed: s.seed + 1 }) };
 
 const controls = [
@@ -162,29 +159,7 @@ const controls = [
     options: Object.entries(SOURCES),
     also: settingsFor,
   },
-  {
-    kind: "text",
-    name: "text",
-    rows: 3,
-    ...CONTROLS.text,
-    placeholder: CONTROLS.placeholder,
-    also: () => ({ source: "own", file: null, column: 0 }),
-  },
-  {
-    kind: "file",
-    name: "file",
-    ...CONTROLS.file,
-    accept: ".csv,.txt,.tsv",
-    withKernel: {
-      ...CONTROLS.file_for_kernel,
-      accept: ".csv,.txt,.tsv,.xlsx",
-      reads: /\.xlsx$/i,
-      what: "table",
-    },
-    also: () => ({ source: "own", text: null, column: 0 }),
-  },
-  { kind: "select", name: "sign", default: "auto", ...CONTROLS.sign, visible: isOwn, options: signs },
-  columnChoice,
+  ...ownControls({ words: CONTROLS, visible: isOwn, also: { source: "own" } }),
   {
     kind: "entry",
     ...CONTROLS.stretch,
@@ -194,8 +169,9 @@ const controls = [
   },
   { name: "Q", symbol: "Q" },
   { name: "R", symbol: "R" },
-  { name: "P0", symbol: "P_0" },
-  { name: "x0", symbol: "x_0", field: true },
+  { kind: "check", name: "first", default: true, ...CONTROLS.first, visible: isOwn },
+  { name: "P0", symbol: "P_0", visible: (s) => !startsAtFirst(s) },
+  { name: "x0", symbol: "x_0", field: true, visible: (s) => !startsAtFirst(s) },
   { name: "window", symbol: "n", max: 50 },
   { kind: "check", name: "exponential", default: false, ...CONTROLS.exponential },
   { kind: "check", name: "rts", default: false, ...CONTROLS.rts },

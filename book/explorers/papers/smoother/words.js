@@ -56,6 +56,10 @@ export const OUTCOME = {
       "Standard deviation of the change from value to value: {z} in the data, {x} after the filter, " +
       "{average} in the moving average.",
   },
+  first: {
+    id: "Filter mulai dari pengukuran pertama, x₀ = {x0}.",
+    en: "The filter starts at the first measurement, x₀ = {x0}.",
+  },
   cut: { id: "Q dan R dicari dari {n} nilai pertama.", en: "Q and R were found from the first {n} values." },
 };
 
@@ -84,18 +88,8 @@ export const TEXT_HEAD = {
 
 export const CONTROLS = {
   source: { id: "Data", en: "Which data" },
-  text: {
-    id: "Data sendiri: tempelkan satu kolom dari lembar kerja. Data tidak meninggalkan perangkat ini.",
-    en: "Data of my own: paste a column from a spreadsheet. Nothing leaves this device.",
-  },
   placeholder: { id: "Suhu\n25,1\n25,3", en: "Temperature\n25.1\n25.3" },
-  file: { id: "atau pilih berkas CSV", en: "or choose a CSV file" },
-  file_for_kernel: { id: "atau pilih berkas CSV atau Excel", en: "or choose a CSV or Excel file" },
-  sign: { id: "Tanda desimal", en: "Decimal sign" },
-  find_out: { id: "kenali sendiri", en: "find out" },
-  comma: { id: "koma (1,5)", en: "comma (1,5)" },
-  point: { id: "titik", en: "point (1.5)" },
-  column: { id: "Kolom", en: "Column" },
+  first: { id: "mulai dari pengukuran pertama", en: "start at the first measurement" },
   exponential: {
     id: "penghalusan eksponensial dengan penguatan tunak",
     en: "exponential smoothing with the steady gain",

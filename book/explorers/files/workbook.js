@@ -1,0 +1,79 @@
+// The bytes of an Excel workbook -> grids. The browser unpacks it, which takes a moment: a file control calls
+// `opened` before it puts a file into the state. Twin of kalman_lib/data/sheets.py.
+import { InputError } from "../language/input.js";
+import { quoted } from "./cells.js";
+import { formatsIn, gridIn, relationsIn, sheetsIn, stringsIn } from "./openxml.js";
+import { isArchive } from "./sources.js";
+import { MAX_PART, directoryOf, isDamage, textOfPart } from "./unzip.js";
+
+const MAX_PACKED = 80000000; // bytes
+const MEGABYTE = 1e6;
+const LONGEST_NAME = 60;
+
+/** {name, bytes} -> a promise of {name, bytes, grids: [[title, grid], ...]}; what is no archive stays. */
+export async function opened(file) {
+  if (!isArchive(file.bytes)) {
+    return file;
+  }
+  const shown = quoted(file.name, LONGEST_NAME);
+  try {
+    return { ...file, grids: await gridsOf(file.bytes, shown) };
+  } catch (error) {
+    throw isDamage(error) ? damaged(shown) : error;
+  }
+}
+
+async function gridsOf(bytes, shown) {
+  const tooLarge = () => unpacksTooLarge(shown);
+  if (bytes.length > MAX_PACKED) {
+    throw tooLarge();
+  }
+  const parts = directoryOf(bytes);
+  const book = [...parts.keys()].find((path) => path.endsWith("xl/workbook.xml"));
+  if (!book) {
+    throw noWorkbook(shown);
+  }
+  const folder = book.slice(0, book.lastIndexOf("/"));
+  const textAt = (path) => (parts.has(path) ? textOfPart(bytes, parts.get(path), tooLarge) : "");
+  const { sheets, from1904 } = sheetsIn(await textAt(book));
+  const targets = relationsIn(await textAt(`${folder}/_rels/workbook.xml.rels`));
+  const strings = stringsIn(await textAt(`${folder}/sharedStrings.xml`));
+  const formats = formatsIn(await textAt(`${folder}/styles.xml`));
+  const grids = [];
+  for (const [title, relation] of sheets) {
+    const path = pathOf(folder, targets.get(relation) ?? "");
+    if (parts.has(path) && path.includes("worksheet")) {
+      grids.push([title, gridIn(await textAt(path), title, { strings, formats, from1904 })]);
+    }
+  }
+  return grids;
+}
+
+/** "xl", "../xl/worksheets/sheet1.xml" -> "xl/worksheets/sheet1.xml". */
+function pathOf(folder, target) {
+  return new URL(target, `http://x/${folder}/`).pathname.slice(1);
+}
+
+function damaged(shown) {
+  return new InputError({
+    en: `${shown} is damaged: it cannot be unpacked as an .xlsx file; save it again.`,
+    id: `${shown} rusak: tidak dapat dibuka sebagai .xlsx; simpanlah sekali lagi.`,
+  });
+}
+
+function unpacksTooLarge(shown) {
+  const most = MAX_PART / MEGABYTE;
+  return new InputError({
+    en: `${shown} unpacks to more than ${most} MB, the limit.`,
+    id: `${shown} menjadi lebih dari ${most} MB setelah dibuka; itu batasnya.`,
+  });
+}
+
+function noWorkbook(shown) {
+  return new InputError({
+    en: `${shown} is an archive, but not an Excel .xlsx file; open it and save it as .xlsx or .csv.`,
+    id:
+      `${shown} sebuah arsip, tetapi bukan berkas Excel .xlsx; ` +
+      "bukalah lalu simpan sebagai .xlsx atau .csv.",
+  });
+}
