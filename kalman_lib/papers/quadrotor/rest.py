@@ -8,8 +8,8 @@ import numpy as np
 LEAST_AT_REST = 10  # samples
 START = 4.0  # s, from which the attitude is taken where there is no rest
 WINDOW = 0.25  # s, in which noise averages out and a motion does not
-UNTURNED = 0.02  # rad/s (1.1 deg/s) by which the mean rates of windows may differ
-UNMOVED = 0.2  # m/s2, likewise, a fiftieth of gravity
+UNTURNED = 0.06  # rad/s (3.4 deg/s) by which the mean rates of windows may differ
+UNMOVED = 0.5  # m/s2, likewise; a hovering craft is still enough
 
 
 def at_rest(t, gyr, acc, rest_s):

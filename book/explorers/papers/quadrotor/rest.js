@@ -4,8 +4,8 @@ import { mean, variance } from "./statistics.js";
 export const START = 4; // s, from which the attitude is taken where there is no rest
 const LEAST_AT_REST = 10; // samples
 const WINDOW = 0.25; // s, in which noise averages out and a motion does not
-const UNTURNED = 0.02; // rad/s by which the mean rates of windows may differ
-const UNMOVED = 0.2; // m/s2, likewise
+const UNTURNED = 0.06; // rad/s by which the mean rates of windows may differ
+const UNMOVED = 0.5; // m/s2, likewise
 
 /** So many samples are at rest: those of the first rest_s seconds, or none where the sensors deny it. */
 export function samplesAtRest({ t, gyr, acc, rest_s }) {
