@@ -6,8 +6,6 @@ edge and z out of the screen; so forward = y, right = x, down = -z. The accelero
 specific force: at rest it points up. Whatever was converted, resampled or left out is told in
 Recording.notes."""
 
-import csv
-import io
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,10 +13,9 @@ import numpy as np
 
 from .angles import tilt_against
 from .archives import open_files
-from .csvs import sheets_of
-from .grid import decode
+from .csvs import NoSensor, sheets_of
 from .resample import rate_of, resample
-from .sensors import check_magnitudes, is_apple, total_acceleration
+from .sensors import check_magnitudes, device_of, is_apple, total_acceleration
 from .signals import clean, keep, signals_in
 from .words import AXES_NAMES, say
 
@@ -82,7 +79,7 @@ def read_recording(files, axes=None):
     _check_axes(axes)
     signals, device = _signals_and_device(open_files(files), notes)
     total_acceleration(signals, device, notes)
-    check_magnitudes(signals["gyr"], signals["acc"])
+    check_magnitudes(signals["gyr"], signals["acc"], signals.get("mag"))
     axes = axes or _usual_axes(signals, notes)
     _tell_axes(axes, notes)
     t, columns = resample(signals, notes)
@@ -125,16 +122,29 @@ def _tell_silent_compass(notes):
 def _signals_and_device(tables, notes):
     """{name: bytes} -> {kind: Signal} and what Metadata.csv of Sensor Logger tells of the
     device."""
-    signals, device = {}, {}
+    signals, device, useless = {}, {}, []
     for name, content in tables.items():
         if Path(name).stem.lower() == "metadata":
-            rows = csv.DictReader(io.StringIO(decode(content) or ""), restval="")
-            device = next(rows, {})
+            device = device_of(content)
             continue
-        for sheet in sheets_of(name, content):
-            for signal in signals_in(sheet, notes):
-                keep(signals, signal)
+        try:
+            found = [one for sheet in sheets_of(name, content) for one in signals_in(sheet, notes)]
+        except NoSensor as error:
+            useless.append(error)
+            continue
+        for signal in found:
+            keep(signals, signal)
+    _tell_useless(useless, signals, notes)
     return {kind: clean(signal, notes) for kind, signal in signals.items()}, device
+
+
+def _tell_useless(useless, signals, notes):
+    """Files without a sensor are passed over; if a sensor is missing they may be the reason."""
+    is_complete = "gyr" in signals and ("acc" in signals or "linear" in signals)
+    if useless and not is_complete:
+        raise useless[0]
+    for error in useless:
+        say(notes, f"Passed over: {error.en}", f"Dilewati: {error.id}")
 
 
 def _usual_axes(signals, notes):
