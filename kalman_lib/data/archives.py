@@ -84,7 +84,8 @@ def _unpack(name, content, size_so_far):
         raise
     except UNPACKING_ERRORS:
         raise InputError(
-            f"The archive {_short(name)} cannot be unpacked: it is damaged or locked; export it again.",
+            f"The archive {_short(name)} cannot be unpacked: it is damaged or locked; export it "
+            "again.",
             f"Arsip {_short(name)} tidak dapat dibuka: rusak atau terkunci; eksporlah sekali lagi.",
         ) from None
 
