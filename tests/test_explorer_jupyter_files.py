@@ -155,8 +155,12 @@ def test_a_phone_recording_and_what_it_lacks(page):
     )
     apart = quadrotor.wrap(np.reshape(angles, (-1, 3)) - expected.angles)
     assert np.abs(apart).max() < 1e-9
-    choose_file(element, ("moving.csv", phone_file(12, rest=0)))
-    message.filter(has_text="tidak diawali keadaan diam").wait_for()
-    assert element.evaluate("e => e.explorer.r.flight.T") == 240
+    element.get_by_label("Sumbu alat").select_option("flu")
+    outcome.filter(has_text="depan-kiri-atas").wait_for()
+    acc = read_recording({"phone.csv": phone_file(12)}, axes="flu").acc
+    wait_until(element, "Math.abs(e.r.flight.acc[1] - values[0]) < 1e-12", acc[0, 1])
+    choose_file(element, ("moving.csv", phone_file(11, rest=0)))
+    outcome.filter(has_text="tidak dimulai dalam keadaan diam").wait_for()
+    assert element.evaluate("e => [e.explorer.r.flight.T, e.explorer.r.flight.rest_s]") == [220, 0]
     element.get_by_role("button", name="Kembali ke penerbangan sintetis").click()
     outcome.filter(has_text="Penerbangan sintetis").wait_for()

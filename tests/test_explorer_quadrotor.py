@@ -10,6 +10,7 @@ from explorer_helpers import SCALE, close, listed, value_in
 
 from kalman_lib import kalman_filter, nis
 from kalman_lib.papers import describe, quadrotor
+from kalman_lib.papers.quadrotor.rest import at_rest
 
 ATTITUDE = """text => {
   const { quadrotor } = KalmanExplorers.papers, { flights, questions } = JSON.parse(text),
@@ -41,16 +42,36 @@ def recordings():
     nothing, holes = np.full_like(acc, np.nan), (acc.copy(), mag.copy())
     holes[0][2000:2100], holes[1][1000:1500] = np.nan, np.nan
     swing = quadrotor.swing(quadrotor.Params(dt=0.04), np.random.default_rng(1))
-    return {"flight": (flight.sensors, flight.truth), "swing": (swing.sensors, swing.truth)} | {
-        name: ((t, *sensors, quadrotor.REST), truth)
-        for name, sensors in {
-            "start": (gyr, acc, mag),
-            "no gyr": (0 * gyr, acc, mag),
-            "no acc": (gyr, nothing, mag),
-            "no mag": (gyr, acc, nothing),
-            "nothing": (gyr, nothing, nothing),
-            "gaps": (gyr, *holes),
-        }.items()
+    return (
+        {"flight": (flight.sensors, flight.truth), "swing": (swing.sensors, swing.truth)}
+        | {
+            name: ((t, *sensors, quadrotor.REST), truth)
+            for name, sensors in {
+                "start": (gyr, acc, mag),
+                "no gyr": (0 * gyr, acc, mag),
+                "no acc": (gyr, nothing, mag),
+                "no mag": (gyr, acc, nothing),
+                "nothing": (gyr, nothing, nothing),
+                "gaps": (gyr, *holes),
+            }.items()
+        }
+        | recordings_of_readers()
+    )
+
+
+def recordings_of_readers():
+    """Begun in motion, with a rest that is none, and with a pause after a rest."""
+    flight = quadrotor.simulate(quadrotor.Params(), np.random.default_rng(7))
+    parts = flight.t, flight.gyr, flight.acc, flight.mag
+    moving = (flight.t > 40) & (flight.t < 70)
+    paused = (flight.t < 30) | ((flight.t > 55) & (flight.t < 75))
+    return {
+        name: ((*(part[keep] for part in parts), rest_s), flight.truth[keep])
+        for name, keep, rest_s in (
+            ("moving", moving, 0),
+            ("no rest", moving, 3),
+            ("paused", paused, quadrotor.REST),
+        )
     }
 
 
@@ -80,7 +101,7 @@ def methods():
     )
 
 
-@pytest.mark.filterwarnings("ignore:The pitch reaches")
+@pytest.mark.filterwarnings("ignore:The pitch reaches", "ignore:The first 3 s")
 def test_the_attitude_filter_of_the_page_is_pythons(bundle):
     names, asked, theirs = list(recordings()), list(methods()), []
     questions = [
@@ -115,7 +136,7 @@ def by_python(name, how):
     """What the filter and its measures give on a recording, (T, 3) or (1, 3)."""
     (t, gyr, acc, mag, rest_s), truth = recordings()[name]
     result = quadrotor.attitude(t, gyr, acc, mag, rest_s, how)
-    rest = t - t[0] <= rest_s
+    rest = at_rest(t, gyr, acc, rest_s)
     dynamic = quadrotor.is_dynamic(t, mag, rest, how.window, how.threshold)
     return {
         **{key: getattr(result, key) for key in ("angles", "z", "u", "s", "y", "P", "R")},

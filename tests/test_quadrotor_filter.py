@@ -11,7 +11,6 @@ from kalman_lib import kalman_filter
 from kalman_lib.models import LinearModel
 from kalman_lib.papers import quadrotor
 from kalman_lib.papers.quadrotor import DEG, GRAVITY, METHODS, Params
-from kalman_lib.papers.quadrotor.blocks import Block
 
 
 @pytest.fixture(scope="module")
@@ -24,48 +23,26 @@ def flight():
 
 def general(flight, result, how, i):
     """Axis i by the general filter: state [angle, s], fed with the same u, z and R."""
-    dt, c = flight.t[1] - flight.t[0], float(how.kept)
-    if how.kept:
-        Q, P_s = (
-            np.diag([how.q * dt, how.q_bias * dt]),
-            flight.gyr[rest(flight)].var(axis=0).mean() / flight.rest_s,
-        )
-    else:
-        Q, P_s = how.q * np.array([[dt**3 / 3, -(dt**2) / 2], [-(dt**2) / 2, dt]]), 0
+    dt = flight.t[1] - flight.t[0]
     model = LinearModel(
-        F=[[1, -dt], [0, c]],
+        F=[[1, -dt], [0, 0]],
         B=[[dt], [0]],
         H=[[1, 0]],
-        Q=Q,
+        Q=how.q * np.array([[dt**3 / 3, -(dt**2) / 2], [-(dt**2) / 2, dt]]),
         R=result.R[1:, i, np.newaxis, np.newaxis],
         x0=[result.angles[0, i], 0],
-        P0=np.diag([result.R[0, i], P_s]),
+        P0=np.diag([result.R[0, i], 0]),
         residual=quadrotor.wrapped_difference,
     )
-    return kalman_filter(model, used(result, how, i, dt), result.u[1:, i])
-
-
-def used(result, how, i, dt):
-    """What the filter took for measurements: all, or at the end of every block the prediction plus
-    the mean innovation, computed here from the angles alone."""
-    z = result.z[1:, i]
-    if not how.kept:
-        return z
-    x_pred = result.angles[:-1, i] + dt * (result.u[1:, i] - result.s[:-1, i])
-    n = round(how.block / dt)
-    y = quadrotor.wrap(z - x_pred)
-    taken = np.full_like(z, np.nan)
-    taken[n - 1 :: n] = x_pred[n - 1 :: n] + y[: len(y) // n * n].reshape(-1, n).mean(axis=1)
-    return taken
+    return kalman_filter(model, result.z[1:, i], result.u[1:, i])
 
 
 def rest(flight):
     return flight.t - flight.t[0] <= flight.rest_s
 
 
-@pytest.mark.parametrize("method", ["paper", "adaptive"])
-def test_the_written_out_filter_is_the_general_one(flight, method):
-    how = METHODS[method]
+def test_the_written_out_filter_is_the_general_one(flight):
+    how = METHODS["paper"]
     first = slice(0, 2500)
     short = (
         flight.t[first],
@@ -220,19 +197,6 @@ def consistency(seed):
     )
     K = P / R  # where there is an update
     return [np.nanmean(y**2 / (R / (1 - K)), axis=0), (e**2 / P).mean(axis=0)]
-
-
-def test_a_block_tells_what_trembles_from_what_lasts():
-    """White noise counts an n-th, a constant error in full."""
-    how, rng = METHODS["adaptive"], np.random.default_rng(0)
-    for white, constant, expected in ((1, 0, 1 / 50 + 0.1), (0.1, 2, 0.01 / 50 + 4)):
-        block = Block(how, dt=0.02)
-        for y in constant + white * rng.normal(size=99):
-            if block.is_full_with(y):
-                block.start_again(moved=0)
-        assert block.is_full_with(constant)
-        mean, R = block.witness(P00=0, R=1e-3)
-        assert np.isclose(R, expected, rtol=0.25) and abs(mean - constant) < 4 * white / 50**0.5
 
 
 def test_the_flight_flies_the_papers_route(flight):

@@ -104,9 +104,9 @@ def test_a_plain_file_in_its_units(gyro, factor, acceleration, scale):
 
 def test_a_plain_file_whose_z_points_up_is_told():
     assert not said(read_recording(own()), "upside down")
-    assert said(
-        read_recording({"own.csv": own()["own.csv"].replace(b"-9.8", b"9.8")}), "upside down"
-    )
+    recording = read_recording({"own.csv": own()["own.csv"].replace(b"-9.8", b"9.8")})
+    assert said(recording, "upside down") and said(recording, "forward-left-up")
+    assert np.allclose(recording.acc[0], [0, 0, -G])  # level, not upside down
 
 
 def test_time_in_milliseconds_from_an_epoch_and_without_a_unit():

@@ -28,6 +28,9 @@ the notes of the result.
     columns.py      a header -> which sensor, axis and unit
     signals.py      sheets -> signals, one a sensor
     sensors.py      is everything there, with units that make sense?
+    axes.py         the sensors' axes -> forward, right, down
+    dip.py          is the angle between gravity and field the same in every pose?
+    xls.py          old Excel workbooks (xlrd)
     resample.py     signals -> values at the times of the gyroscope
     angles.py       roll, pitch and yaw that a device reports
     words.py        names of the sensors, notes

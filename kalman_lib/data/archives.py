@@ -1,22 +1,32 @@
 """Files, folders and archives of a recording in, {name: bytes} of its tables out."""
 
 import io
+import struct
 import zipfile
 import zlib
+from lzma import LZMAError
 from pathlib import Path
 
 from .errors import InputError
 
-MAX_BYTES = 400_000_000  # of all files together
+MAX_BYTES = 60_000_000  # of all files together: an hour of three sensors at 100 Hz
+MAX_PARTS = 1000  # of an archive
 TEXTS = (".csv", ".txt", ".tsv")
-READABLE = (*TEXTS, ".xlsx", ".xls", ".zip")
+WORKBOOKS = (".xlsx", ".xls")
+READABLE = (*TEXTS, *WORKBOOKS)
 NOT_DATA = {"meta", "__macosx"}  # folders that phyphox and macOS add
 UNPACKING_ERRORS = (
     zipfile.BadZipFile,
+    zlib.error,
+    LZMAError,
+    struct.error,
+    EOFError,
+    OSError,
     NotImplementedError,
     RuntimeError,
-    OSError,
-    zlib.error,
+    ValueError,
+    LookupError,
+    OverflowError,
 )
 
 
@@ -47,7 +57,9 @@ def _read_paths(paths):
         if not path.exists():
             raise InputError(f"There is no file {str(path)!r}.", f"Tidak ada berkas {str(path)!r}.")
         found += sorted(path.rglob("*")) if path.is_dir() else [path]
-    found = [path for path in found if path.is_file() and path.suffix.lower() in READABLE]
+    found = [
+        path for path in found if path.is_file() and path.suffix.lower() in (*READABLE, ".zip")
+    ]
     _check_size(sum(path.stat().st_size for path in found))
     return {str(path): path.read_bytes() for path in found}
 
@@ -56,14 +68,37 @@ def _unpack(name, content, size_so_far):
     """{name/part: bytes} of the tables in an archive."""
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
-            parts = [part for part in archive.infolist() if part.filename.lower().endswith(TEXTS)]
+            parts = [
+                part for part in archive.infolist() if part.filename.lower().endswith(READABLE)
+            ]
+            if len(parts) > MAX_PARTS:
+                raise _too_many(name, len(parts))
             _check_size(size_so_far + sum(part.file_size for part in parts))  # before unpacking
-            return {f"{name}/{part.filename}": archive.read(part) for part in parts}
-    except UNPACKING_ERRORS as error:
+            tables = {}
+            for part in parts:
+                with archive.open(part) as file:  # its size may be a lie
+                    tables[f"{name}/{part.filename}"] = file.read(MAX_BYTES + 1)
+                _check_size(size_so_far + _size(tables))
+            return tables
+    except InputError:
+        raise
+    except UNPACKING_ERRORS:
         raise InputError(
-            f"The archive {name!r} cannot be unpacked ({error}).",
-            f"Arsip {name!r} tidak dapat dibuka ({error}).",
+            f"The archive {_short(name)} cannot be unpacked: it is damaged or locked; export it "
+            "again.",
+            f"Arsip {_short(name)} tidak dapat dibuka: rusak atau terkunci; eksporlah sekali lagi.",
         ) from None
+
+
+def _short(name):
+    return repr(name if len(name) <= 60 else "..." + name[-57:])
+
+
+def _too_many(name, parts):
+    return InputError(
+        f"The archive {_short(name)} holds {parts} tables; the limit is {MAX_PARTS}.",
+        f"Arsip {_short(name)} berisi {parts} tabel; batasnya {MAX_PARTS}.",
+    )
 
 
 def _is_data(name):

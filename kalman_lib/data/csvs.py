@@ -12,12 +12,14 @@ from .cells import quoted, to_number
 from .columns import is_wanted
 from .errors import InputError
 from .grid import decode
+from .limits import too_wide
 from .table import read_sheets
+from .xls import read_xls
 
 MAX_ROWS = 2_000_000  # of a file
+MAX_COLUMNS = 1000
 LONGEST_PLACE = 60  # characters in a message
 METADATA_SHEETS = ("Metadata Device", "Metadata Time")  # so phyphox calls them
-LINES_BEFORE_HEADER = re.compile(r"([^\S\n]*(#.*)?\n)*")  # blank ones and comments
 QUOTED_DECIMAL = re.compile(r'"[+-]?[0-9]+,[0-9]+([eE][+-]?[0-9]+)?"')
 LOOKED_AT = 5000  # characters in which a quoted decimal comma shows itself
 
@@ -39,12 +41,19 @@ def sheets_of(name, content):
         place = "..." + name[-(LONGEST_PLACE - 3) :]
     if not content.strip():
         raise _empty(place)
-    if name.lower().endswith(".xlsx"):
+    if name.lower().endswith(".xls") and content[:2] != b"PK":
+        grids = read_xls(place, content)
+        return [
+            _read_csv(f"{place}, {title}", text)
+            for title, text in grids
+            if title not in METADATA_SHEETS
+        ]
+    if name.lower().endswith((".xlsx", ".xls")):
         tables = read_sheets(name, content, skip=METADATA_SHEETS)
         return [_sheet_of(f"{place}, {title}", table) for title, table in tables.items()]
     text = decode(content) if name.lower().endswith(TEXTS) else None
     if text is None:
-        raise InputError(
+        raise NoSensor(
             f"{place}: not a .csv, .zip or .xlsx file; export the recording as one of these.",
             f"{place}: bukan berkas .csv, .zip atau .xlsx; eksporlah rekaman sebagai salah "
             "satunya.",
@@ -64,8 +73,21 @@ def _sheet_of(place, table):
     return Sheet(place, list(table.columns), values, table.lines)
 
 
+class NoSensor(InputError):
+    """A file without a sensor: others may have them."""
+
+
+def no_sensor(place, names):
+    """The NoSensor that tells which headers were not understood."""
+    shown = ", ".join(quoted(name) for name in names[:4])
+    return NoSensor(
+        f"{place}: no column is one of a sensor, such as 'Gyroscope x (rad/s)'; it has {shown}.",
+        f"{place}: tidak ada kolom sensor, misalnya 'Gyroscope x (rad/s)'; kolomnya {shown}.",
+    )
+
+
 def _empty(place):
-    return InputError(f"{place}: the file is empty.", f"{place}: berkasnya kosong.")
+    return NoSensor(f"{place}: the file is empty.", f"{place}: berkasnya kosong.")
 
 
 def _read_csv(place, text):
@@ -76,21 +98,37 @@ def _read_csv(place, text):
             f"{place}: {rows} rows are too many; the limit is {MAX_ROWS}.",
             f"{place}: {rows} baris terlalu banyak; batasnya {MAX_ROWS}.",
         )
-    start = LINES_BEFORE_HEADER.match(text).end()
-    line = text.count("\n", 0, start) + 1
+    line, start = _header_in(text)
     header, _, body = text[start:].partition("\n")
     body = body.rstrip()
     separator, names = _names_in(place, line, header.strip())
+    if len(names) > MAX_COLUMNS:
+        raise too_wide(len(names), MAX_COLUMNS)
     if not body:
-        raise InputError(
+        raise NoSensor(
             f"{place}: there is no row below the header.",
             f"{place}: tidak ada baris di bawah judul.",
         )
     wanted = [k for k, name in enumerate(names) if is_wanted(name)]
+    if not wanted:
+        raise no_sensor(place, names)
     values = _numbers_at_once(body, separator, len(names), wanted)
     if values is None:
         return _read_cells(place, names, body, separator, line, wanted)
     return Sheet(place, names, values, line + 1 + np.arange(len(values)))
+
+
+def _header_in(text):
+    """The number of the header's line, and where it begins: blank lines and comments come
+    before."""
+    line, start = 1, 0
+    while start < len(text):
+        end = text.find("\n", start)
+        end = len(text) if end < 0 else end
+        if (first := text[start:end].strip()) and first[0] != "#":
+            break
+        line, start = line + 1, end + 1
+    return line, min(start, len(text))
 
 
 def _names_in(place, line, header):

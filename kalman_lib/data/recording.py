@@ -6,8 +6,6 @@ edge and z out of the screen; so forward = y, right = x, down = -z. The accelero
 specific force: at rest it points up. Whatever was converted, resampled or left out is told in
 Recording.notes."""
 
-import csv
-import io
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,26 +13,16 @@ import numpy as np
 
 from .angles import tilt_against
 from .archives import open_files
-from .csvs import sheets_of
-from .grid import decode
+from .axes import AXES as AXES
+from .axes import body_axes, tell_axes, tell_usual_axes
+from .csvs import NoSensor, sheets_of
+from .dip import tell_dip
 from .resample import rate_of, resample
-from .sensors import check_magnitudes, is_apple, total_acceleration
+from .sensors import check_magnitudes, device_of, is_apple, total_acceleration
 from .signals import clean, keep, signals_in
-from .words import AXES_NAMES, say
+from .words import say
 
-PHONE = np.array([
-    [0, 1, 0],
-    [1, 0, 0],
-    [0, 0, -1],
-])
-AXES = {  # body axis = row times sensor axis
-    "phone": PHONE,
-    "flu": np.diag([1, -1, -1]),
-    "frd": np.eye(3, dtype=int),
-}
-MOST_TILT = (
-    10  # degrees: if gravity differs more from the app's orientation, that means something else
-)
+MOST_TILT = 10  # degrees; gravity differs more from the app's orientation: it means something else
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,8 +56,10 @@ def read_recording(files, axes=None):
             Sensor Logger  .zip or its CSVs: Gyroscope, TotalAcceleration (or Accelerometer and
                            Gravity), Magnetometer, Orientation, Metadata
             a plain CSV    "t (s), gx (deg/s), gy .., ax (g), .., mx (uT), .."; the unit decides
-    axes    the sensors' own axes: "phone", "flu" (forward-left-up) or "frd"; None: "phone" for the
-            apps, "frd" for a plain CSV
+    axes    the sensors' own axes: "phone", "flu" (forward-left-up) or "frd", or those that point
+            forward, right and down, such as "y x -z" (the phone's); None: "phone" for the apps; for
+            a plain CSV "flu" if its z points up at the start, else "frd". Sensors with axes of
+            their own: {"gyr": .., "acc": .., "mag": ..}
 
     Everything is interpolated linearly to the times of the gyroscope, over the time that all
     sensors cover.
@@ -79,39 +69,29 @@ def read_recording(files, axes=None):
     another kind.
     """
     notes = []
-    _check_axes(axes)
+    chosen = body_axes(axes)
     signals, device = _signals_and_device(open_files(files), notes)
     total_acceleration(signals, device, notes)
-    check_magnitudes(signals["gyr"], signals["acc"])
-    axes = axes or _usual_axes(signals, notes)
-    _tell_axes(axes, notes)
+    check_magnitudes(signals["gyr"], signals["acc"], signals.get("mag"))
+    usual = tell_usual_axes(signals, notes) if axes is None else None
+    turns = chosen or body_axes(usual)
+    tell_axes(axes or usual, notes)
     t, columns = resample(signals, notes)
-    gyr, acc, mag = (_turned(columns.get(kind), axes) for kind in ("gyr", "acc", "mag"))
+    gyr, acc, mag = (_turned(columns.get(kind), turns[kind]) for kind in ("gyr", "acc", "mag"))
     if mag is None:
         _tell_silent_compass(notes)
-    is_sure = axes == "phone" and not is_apple(device)
+    else:
+        tell_dip(acc, mag, gyr, rate_of(t), notes)
+    is_sure = "phone" in (axes, usual) and not is_apple(device)
     reference = _phone_reference(columns.get("orientation"), acc, is_sure, notes)
     recording = Recording(t - t[0], gyr, acc, mag, rate_of(t), notes, reference)
     _tell_rest(recording)
     return recording
 
 
-def _check_axes(axes):
-    if axes not in (None, *AXES):
-        known = list(AXES)
-        raise ValueError(
-            f"axes must be None or one of {known}. / axes harus None atau salah satu dari itu."
-        )
-
-
-def _turned(values, axes):
+def _turned(values, turn):
     """Values (N, 3) in the sensor's axes -> in the body frame; None stays None."""
-    return None if values is None else values @ AXES[axes].T
-
-
-def _tell_axes(axes, notes):
-    en, id = AXES_NAMES[axes]
-    say(notes, f"Axes taken: {en}.", f"Sumbu yang dipakai: {id}.")
+    return None if values is None else values @ turn.T
 
 
 def _tell_silent_compass(notes):
@@ -125,31 +105,29 @@ def _tell_silent_compass(notes):
 def _signals_and_device(tables, notes):
     """{name: bytes} -> {kind: Signal} and what Metadata.csv of Sensor Logger tells of the
     device."""
-    signals, device = {}, {}
+    signals, device, useless = {}, {}, []
     for name, content in tables.items():
         if Path(name).stem.lower() == "metadata":
-            rows = csv.DictReader(io.StringIO(decode(content) or ""), restval="")
-            device = next(rows, {})
+            device = device_of(content)
             continue
-        for sheet in sheets_of(name, content):
-            for signal in signals_in(sheet, notes):
-                keep(signals, signal)
+        try:
+            found = [one for sheet in sheets_of(name, content) for one in signals_in(sheet, notes)]
+        except NoSensor as error:
+            useless.append(error)
+            continue
+        for signal in found:
+            keep(signals, signal)
+    _tell_useless(useless, signals, notes)
     return {kind: clean(signal, notes) for kind, signal in signals.items()}, device
 
 
-def _usual_axes(signals, notes):
-    """The axes where the reader has named none."""
-    if signals["gyr"].source != "plain":
-        return "phone"
-    if signals["acc"].values[:10, 2].mean() > 5:
-        say(
-            notes,
-            "az is positive at the start, so the device begins upside down; if its z points up, "
-            "choose the axes flu or phone.",
-            "az positif pada awalnya, jadi alat mulai dalam keadaan terbalik; jika sumbu z-nya ke "
-            "atas, pilihlah sumbu flu atau phone.",
-        )
-    return "frd"
+def _tell_useless(useless, signals, notes):
+    """Files without a sensor are passed over; if a sensor is missing they may be the reason."""
+    is_complete = "gyr" in signals and ("acc" in signals or "linear" in signals)
+    if useless and not is_complete:
+        raise useless[0]
+    for error in useless:
+        say(notes, f"Passed over: {error.en}", f"Dilewati: {error.id}")
 
 
 def _phone_reference(angles, acc, is_sure, notes):
@@ -219,8 +197,7 @@ def _tell_rest(recording):
     else:
         say(
             recording.notes,
-            "The recording does not begin at rest; let the device lie still for some seconds "
-            "first.",
-            "Rekaman tidak dimulai dalam keadaan diam; biarkan alat diam beberapa detik lebih "
-            "dahulu.",
+            "The recording does not begin at rest: the bias of the gyroscope must be found in the "
+            "motion.",
+            "Rekaman tidak dimulai dalam keadaan diam: bias giroskop harus dicari selagi bergerak.",
         )

@@ -1,13 +1,19 @@
 """Do the signals of a recording make sense? An accelerometer with gravity in it is needed, and a
 gyroscope."""
 
+import csv
+import io
+
 import numpy as np
 
 from .errors import InputError
+from .grid import decode
 from .resample import interpolate, no_overlap
 from .words import NAMES, say
 
 MAX_RATE = 60.0  # rad/s
+MOST_METADATA = 100_000  # bytes
+MOST_FIELD = 1e6  # in any unit
 LEAST_GRAVITY, MOST_GRAVITY = 6, 14  # m/s2: the median of the acceleration lies between
 HEADERS = {"gyr": "Gyroscope x (rad/s)", "acc": "Acceleration x (m/s^2)"}
 
@@ -42,10 +48,30 @@ def total_acceleration(signals, device, notes):
         )
 
 
+def device_of(content):
+    """The first row of Metadata.csv; {} if it cannot be read."""
+    text = (decode(content[:MOST_METADATA]) or "").replace("\r\n", "\n").replace("\r", "\n")
+    try:
+        row = next(csv.DictReader(io.StringIO(text), restval=""), {})
+    except csv.Error:
+        return {}
+    return {name: value for name, value in row.items() if isinstance(value, str)}
+
+
 def is_apple(device):
     """Does this Metadata.csv of Sensor Logger tell of an iPhone with its own signs?"""
     is_ios = device.get("platform", "").lower() == "ios"
     return is_ios and device.get("standardisation", "").lower() != "true"
+
+
+def _check_size(signal):
+    largest = np.abs(signal.values).max(axis=1)
+    if largest.max() > MOST_FIELD:
+        (en, id), line = NAMES[signal.kind], signal.lines[np.argmax(largest)]
+        raise InputError(
+            f"{signal.place}, line {line}: no {en} shows {largest.max():g}.",
+            f"{signal.place}, baris {line}: tidak ada {id} yang menunjukkan {largest.max():g}.",
+        )
 
 
 def _with_gravity(linear, gravity):
@@ -75,8 +101,10 @@ def _check_presence(signals):
             )
 
 
-def check_magnitudes(gyr, acc):
-    """InputError for rates and accelerations that only a wrong unit explains."""
+def check_magnitudes(gyr, acc, mag):
+    """InputError for rates and accelerations that only a wrong unit explains; mag may be None."""
+    for signal in filter(None, (acc, mag)):
+        _check_size(signal)
     rates = np.abs(gyr.values).max(axis=1)
     if rates.max() > MAX_RATE:
         line, fastest = gyr.lines[np.argmax(rates)], rates.max()

@@ -1,19 +1,11 @@
 """The sheets of a recording in, one Signal a sensor out, in SI units and the sensor's own axes."""
 
-import re
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
-from .columns import (
-    ACCEPTED,
-    GRAVITY_WORD,
-    LINEAR_WORD,
-    PLAIN_NAMES,
-    UNITS,
-    read_header,
-)
+from .columns import ACCEPTED, PLAIN_NAMES, UNITS, is_gravity, is_linear, read_header
 from .errors import InputError
 from .words import NAMES, say
 
@@ -25,6 +17,7 @@ SENSOR_LOGGER = {  # its file -> what is in it
     "magnetometer": "mag",
     "orientation": "orientation",
 }
+SHORTEST = 1e-6  # s between two measurements
 LEAST = {"gyr": 10}  # measurements; of other sensors two
 
 
@@ -58,28 +51,37 @@ def _groups_in(sheet, notes):
     the left."""
     groups, clock = {}, None
     for k, title in enumerate(sheet.names):
-        header = re.sub(r" \(\d+\)$", "", title)  # a name that came twice has got a number
-        column = read_header(header)
+        column = read_header(title)
         if column.kind == "unknown" or _has_strange_unit(column):
-            raise _unit_is_missing(sheet.place, header)
+            raise _unit_is_missing(sheet.place, title)
         if column.kind == "time":
             _, factor = UNITS.get(column.unit, ("time", 1.0))
             clock = (k, factor)
             if column.unit is None:
                 say(
                     notes,
-                    f"{sheet.place}: column {header!r} has no unit; seconds were taken.",
-                    f"{sheet.place}: kolom {header!r} tanpa satuan; dipakai detik.",
+                    f"{sheet.place}: column {title!r} has no unit; seconds were taken.",
+                    f"{sheet.place}: kolom {title!r} tanpa satuan; dipakai detik.",
                 )
         elif column.kind and column.kind != "logger":
             _, factor = UNITS.get(column.unit, ("mag", 1.0))
             axes = groups.setdefault((column.name, column.kind, clock), {})
+            if column.axis in axes:
+                raise _comes_twice(sheet.place, title)
             axes[column.axis] = (k, factor)
     return groups
 
 
 def _has_strange_unit(column):
     return column.kind == "time" and column.unit is not None and column.unit not in UNITS
+
+
+def _comes_twice(place, header):
+    shown = repr(header[:40])
+    return InputError(
+        f"{place}: column {shown} comes twice; leave one of them.",
+        f"{place}: kolom {shown} ada dua kali; tinggalkan satu saja.",
+    )
 
 
 def _unit_is_missing(place, header):
@@ -99,22 +101,23 @@ def _signal(sheet, name, kind, clock, axes, notes):
             f"{sheet.place}: there is no column of time, such as 't (s)', left of the sensor.",
             f"{sheet.place}: tidak ada kolom waktu, misalnya 't (s)', di kiri sensor.",
         )
-    if kind == "acc" and LINEAR_WORD.search(name):
+    if kind == "acc" and is_linear(name):
         kind = "linear"
-    elif kind == "acc" and GRAVITY_WORD.search(name):
+    elif kind == "acc" and is_gravity(name):
         kind = "gravity"
     columns = [axes[axis] for axis in "xyz"]
     values = np.column_stack([sheet.values[:, k] * factor for k, factor in columns])
-    first, factor = columns[0]
-    if factor != 1:
-        title = sheet.names[first]
+    converted = [sheet.names[k] for k, factor in columns if factor != 1]
+    if converted:
+        title = ", ".join(converted)
         si = "rad/s" if kind == "gyr" else "m/s2"
         say(
             notes,
-            f"{sheet.place}: {title} and its like were converted to {si}.",
-            f"{sheet.place}: {title} dan sejenisnya diubah ke {si}.",
+            f"{sheet.place}: converted to {si}: {title}.",
+            f"{sheet.place}: diubah ke {si}: {title}.",
         )
-    source = "plain" if name in PLAIN_NAMES else "units"
+    is_plain = name in PLAIN_NAMES or "_" in sheet.names[columns[0][0]]
+    source = "plain" if is_plain else "units"
     time, to_seconds = clock
     t = sheet.values[:, time] * to_seconds
     return Signal(kind, t, values, sheet.place, sheet.lines, source)
@@ -177,7 +180,24 @@ def clean(signal, notes):
         )
     signal = signal.rows(~repeated)
     _check_times(signal)
-    return signal
+    return _one_a_time(signal, notes)
+
+
+def _one_a_time(signal, notes):
+    """The mean of rows with the same time."""
+    first = np.flatnonzero(np.append(True, np.diff(signal.t) > 0))
+    counts = np.diff(np.append(first, len(signal.t)))
+    if (counts == 1).all():
+        return signal
+    say(
+        notes,
+        f"{signal.place}: {counts[counts > 1].sum()} rows share their times with others; their "
+        "means were taken.",
+        f"{signal.place}: {counts[counts > 1].sum()} baris waktunya sama dengan baris lain; "
+        "dipakai rata-ratanya.",
+    )
+    means = np.add.reduceat(signal.values, first) / counts[:, np.newaxis]
+    return signal.rows(first)._replace(values=means)
 
 
 def _check_values(signal, empty):
@@ -194,10 +214,18 @@ def _check_values(signal, empty):
 
 def _check_times(signal):
     (en, id), place = NAMES[signal.kind], signal.place
-    back = np.diff(signal.t) <= 0
+    back = np.diff(signal.t) < 0
     if back.any():
-        line = signal.lines[np.argmax(back) + 1]
+        k = np.argmax(back) + 1
+        line, now, before = signal.lines[k], repr(float(signal.t[k])), repr(float(signal.t[k - 1]))
         raise InputError(
-            f"{place}, line {line}: the time of the {en} does not increase.",
-            f"{place}, baris {line}: waktu {id} tidak bertambah.",
+            f"{place}, line {line}: the time of the {en} does not increase, {now} s after {before} "
+            "s.",
+            f"{place}, baris {line}: waktu {id} tidak bertambah, {now} s sesudah {before} s.",
+        )
+    step = np.median(np.diff(signal.t))
+    if not step > SHORTEST:
+        raise InputError(
+            f"{place}: the times of the {en} hardly differ; is their unit right?",
+            f"{place}: waktu {id} hampir tidak berbeda; apakah satuannya benar?",
         )

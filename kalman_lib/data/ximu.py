@@ -5,8 +5,9 @@ import gzip
 import numpy as np
 
 from .angles import interpolate_angles
+from .axes import AXES
 from .columns import GRAVITY
-from .recording import AXES, Recording
+from .recording import Recording
 from .words import say
 
 RATE = 256.0  # samples per second

@@ -10,11 +10,6 @@ import numpy as np
 from ..data import InputError, read_recording, rest_seconds, write_workbook
 
 XLSX = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"
-NO_REST = InputError(
-    "This recording does not begin at rest. Let the phone lie still for a few seconds, then start.",
-    "Rekaman ini tidak diawali keadaan diam. "
-    "Letakkan ponsel diam selama beberapa detik, lalu mulai.",
-)
 
 
 def answer(question, buffers):
@@ -27,19 +22,26 @@ def answer(question, buffers):
         if question.get("write") == "workbook":
             return written(question, contents)
         files = dict(zip(question["names"], contents))
-        return recording(files)
+        return recording(files, question.get("axes") or None)
     except InputError as error:
         return {"error": {"id": error.id, "en": error.en}}, []
     except Exception as error:  # the reader must see it, too
-        return {"error": {"id": str(error) or repr(error), "en": str(error) or repr(error)}}, []
+        return {"error": unexpected(error)}, []
 
 
-def recording(files):
+def unexpected(error):
+    """A mistake of ours, or of Python's: its own words are English, or both with a slash."""
+    en, _, id = str(error).partition(" / ")
+    return {
+        "id": f"Berkas ini tidak dapat dibaca ({type(error).__name__}: {id or en}).",
+        "en": f"This file cannot be read ({type(error).__name__}: {en}).",
+    }
+
+
+def recording(files, axes):
     """The sensors of a phone's recording; the device's own angles, if any, stand for the truth."""
-    found = read_recording(files)
-    rest_s = rest_seconds(found)
-    if not rest_s:
-        raise NO_REST
+    found = read_recording(files, axes)
+    rest_s = rest_seconds(found)  # 0: it begins in motion
     arrays = {
         "t": found.t,
         "gyr": found.gyr,

@@ -1,15 +1,16 @@
 // What the kernel does for an explorer: it reads the reader's recordings, and writes a workbook
 // with chart and notes. Twin of kalman_lib/live/files.py, which answers.
+import { safely } from "../element/messages.js";
 import { InputError } from "../language/input.js";
 
-/** {read(what, files), write(question), leave()} for an anywidget's model. */
+/** {read(what, files, s), write(question), keepReading(explorer), leave()} for an anywidget's model. */
 export function kernelOf(model) {
   const { ask, leave } = questions(model);
-  const read = async (what, files) => {
+  const read = async (what, files, { axes } = {}) => {
     const names = files.map(({ name }) => name);
     const bytes = files.map((file) => file.bytes.slice().buffer);
-    const answer = await ask({ read: what, names }, bytes);
-    return { ...READERS[what](answer), name: names[0], files };
+    const answer = await ask({ read: what, names, axes: axes ?? null }, bytes);
+    return { ...READERS[what](answer), name: names[0], files, axes };
   };
   const write = async ({ arrays, ...question }) => {
     const names = Object.keys(arrays);
@@ -17,7 +18,16 @@ export function kernelOf(model) {
     return { name: answer.name, type: answer.type, content: answer.buffers[0] };
   };
 
-  return { read, write, leave };
+  /** A recording is read again when the reader chooses other axes for it. */
+  const keepReading = (explorer) => {
+    const { recording, axes } = explorer.s;
+    if (recording?.files && recording.axes !== axes) {
+      recording.axes = axes;
+      const put = (again) => explorer.s.recording === recording && explorer.change({ recording: again });
+      safely(explorer, () => read("recording", recording.files, explorer.s).then(put));
+    }
+  };
+  return { read, write, keepReading, leave };
 }
 
 /** {ask(question, buffers) -> a promise of the answer, leave()}. */

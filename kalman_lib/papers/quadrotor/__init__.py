@@ -10,9 +10,12 @@ Angles in rad, rates in rad/s unless a name says otherwise.
     params.py       what the reader may vary, and what the paper prints
     model.py        the paper's model; what each sensor says alone
     method.py       how the attitude filter can be set
-    attitude.py     the attitude filter
-    blocks.py       what its adaptive method takes for one measurement
+    attitude.py     the attitude filter: the paper's, an axis each
+    vectors.py      its adaptive method: quaternion and bias
+    blocks.py       what that takes for one measurement
+    quaternion.py   attitudes as quaternions
     sensors.py      a recording, checked; measured angles, their noise, when the craft is dynamic
+    rest.py         does a recording begin at rest?
     flight.py       synthetic flights
     hand.py         one axis alone, tilted and pushed by hand
     route.py        where they lead, and noise that changes slowly

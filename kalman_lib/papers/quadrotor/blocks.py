@@ -1,51 +1,80 @@
-"""The adaptive method's witnesses: a block of innovations counts once.
+"""The adaptive method's witnesses: a block of measurements counts once.
 
 Neighbouring samples of an accelerometer share the same swaying: fifty of them in a second are not
-fifty witnesses. So innovations are gathered for a second, and their mean is the measurement.
+fifty witnesses. So vectors are gathered for some seconds, and their mean is the measurement: over
+seconds the accelerations of whoever walks or flies cancel, and what is left is gravity.
 """
 
+import math
 from collections import deque
+from typing import NamedTuple
 
-LOOKS_BACK = 2  # blocks, from which R is estimated
+import numpy as np
+
+LOOKS_BACK = 5  # blocks, from which R is estimated
+NEWEST = 0.5  # so much of the newest change counts at least
+SCARCE = 3  # fewer blocks say little of R
+
+
+class Kind(NamedTuple):
+    """A sensor's blocks: their seconds, and what R (rad2) of a mean may be.
+
+    least    R is at least this
+    usual    and this while the blocks are scarce
+    lasting  what lasts through many blocks counts as noise up to this: more is an error of the
+             filter, as no acceleration lasts
+    """
+
+    seconds: float
+    least: float
+    usual: float
+    lasting: float
 
 
 class Block:
-    """The innovations y of one axis since its last update, and what the latest ones tell of R."""
+    """The vectors of one sensor since its last update, and what its latest innovations tell of
+    R."""
 
-    def __init__(self, how, dt):
-        self.how = how
-        self.length = max(2, round(how.block / dt))  # samples
-        self.gathered = []  # y since the last update
-        recent = LOOKS_BACK * self.length
-        self.squares = deque(maxlen=recent)  # y^2
-        self.changes = deque(maxlen=recent)  # (y - the y before)^2 / 2
-        self.latest = None
+    def __init__(self, kind, axes):
+        self.kind = kind
+        self.latest = [deque(maxlen=LOOKS_BACK) for _ in range(axes)]
+        self.start_again()
 
-    def is_full_with(self, y):
-        """Take one more innovation; True where it completes the block."""
-        self.squares.append(y * y)
-        if self.latest is not None:
-            self.changes.append((y - self.latest) ** 2 / 2)
-        self.latest = y
-        self.gathered.append(y)
-        return len(self.gathered) == self.length
+    def start_again(self):
+        self.sum = np.zeros(3)
+        self.count = 0
+        self.lasts = 0.0  # s
 
-    def witness(self, P00, R):
-        """The mean of the block, and its variance R; the given R is that of one sample at rest.
+    def is_full_with(self, vector, dt):
+        """Take one more vector, NaN where the sensor is silent; True where it completes the
+        block."""
+        self.lasts += dt
+        if not math.isnan(vector[0]):
+            self.sum += vector
+            self.count += 1
+        if self.lasts < self.kind.seconds - dt / 2:
+            return False
+        if self.count == 0:
+            self.start_again()
+        return self.count > 0
 
-        What changes from sample to sample trembles, and the mean of n samples has an n-th of it;
-        the rest of the noise lasts through the block, and no mean makes it smaller."""
-        noise = min(max(_mean(self.squares) - P00, R), self.how.largest * R)
-        trembles = _mean(self.changes)
-        lasts = max(noise - trembles, self.how.lasting * noise)
-        return _mean(self.gathered), trembles / self.length + lasts
+    def turn(self, by):
+        """The attitude is turned by a small angle (3,), and what was gathered with it."""
+        self.sum = self.sum + np.cross(by, self.sum)
 
-    def start_again(self, moved):
-        """The next block, after the update has moved the angle: later innovations are smaller by
-        as much."""
-        self.latest -= moved
-        self.gathered = []
+    def mean(self):
+        return self.sum / self.count
 
+    def noise(self, i, y, P):
+        """R of the newest innovation y along the axis i; P its variance by the prediction."""
+        latest = self.latest[i]
+        latest.append(y)
+        mean = sum(latest) / len(latest)
+        changes = sum((value - mean) ** 2 for value in latest) / len(latest)
+        changes = max(changes, NEWEST * (y - mean) ** 2)
+        R = max(changes + min(mean**2, self.kind.lasting) - P, self.kind.least)
+        return R if len(latest) >= SCARCE else max(R, self.kind.usual)
 
-def _mean(values):
-    return sum(values) / len(values)
+    def moved(self, i, by):
+        """The angle has moved: the latest innovations are smaller by as much."""
+        self.latest[i] = deque((y - by for y in self.latest[i]), maxlen=LOOKS_BACK)

@@ -17,7 +17,6 @@ CORRECTIONS = (
     "rest variance",
 )
 VARIANCE_3_DEG = (3 * DEG) ** 2
-VARIANCE_7_DEG = (7 * DEG) ** 2
 VARIANCE_15_DEG = (15 * DEG) ** 2
 
 
@@ -25,10 +24,10 @@ VARIANCE_15_DEG = (15 * DEG) ** 2
 class Method:
     """How `attitude` filters: one set of numbers for every recording. Angles in rad.
 
-    kept      does the second state, the error s of the gyroscope's rate, last? False, as in the
-              paper's Q: it is new in every step (white noise); True: it is a bias that hardly
-              changes
-    q         strength of the process noise: of the rate (rad^2/s^3), or of the angle (rad^2/s)
+    kept      is the error of the gyroscope's rate a bias that is kept? False, as in the paper's Q:
+              it is new in every step (white noise), and each angle has its filter; True: it hardly
+              changes, and one filter compares vectors (vectors.py), whose R follows its innovations
+    q         strength of the process noise: of the rate (rad^2/s^3), or of the attitude (rad^2/s)
               where the bias is kept
     R_min     (3,) R of roll, pitch and yaw is their variance at rest, but at least this: rest
               shows neither the accelerations nor the magnetic disturbances of a flight
@@ -39,12 +38,10 @@ class Method:
               the variance of the angles over the whole recording
     m, window, threshold    the paper's rule: where the variance of the magnetometer over the window
               (s) exceeds the threshold times its variance at rest, R becomes m R
-    block, lasting, largest    the better rule, used where the bias is kept, see Block: innovations
-              of one block (s) count once, by their mean; its R is what the last two blocks show,
-              the lasting part of it at least so large a share, all of it at most largest R
     q_bias    strength of the noise that moves the bias, rad^2/s^3
 
-    q and m may be arrays of one shape (cells,): then `attitude` runs all cells at once.
+    q and m may be arrays of one shape (cells,): then `attitude` runs all cells at once, unless the
+    bias is kept. Where it is kept, only q, q_bias and "rest mean" of without count.
     """
 
     q: float
@@ -54,9 +51,6 @@ class Method:
     m: float = 1.0
     window: float = 1.0
     threshold: float = 4.0
-    block: float = 1.0
-    lasting: float = 0.1
-    largest: float = 1e4
     q_bias: float = 1e-9
 
 
@@ -68,12 +62,10 @@ METHODS = {
         without=("formulas", "Euler rates", "wrapping", "estimated tilt", "rest variance"),
     ),
     "paper": Method(q=30 * DEG**2),
-    "adaptive": Method(q=(0.1 * DEG) ** 2, kept=True, R_min=(0, 0, VARIANCE_7_DEG)),
+    "adaptive": Method(q=(0.1 * DEG) ** 2, kept=True),
 }
 
 
 def process_noise(how, dt):
-    """Q00, Q01 and Q11 of one step: the paper's equation (18), or the noises of angle and bias."""
-    if how.kept:
-        return how.q * dt, 0.0, how.q_bias * dt
+    """Q00, Q01 and Q11 of one step: the paper's equation (18)."""
     return how.q * dt**3 / 3, -how.q * dt**2 / 2, how.q * dt

@@ -13,7 +13,7 @@ def direction(angles):
 
 def spread(angles):
     """Variance of angles around their mean direction; 0 without any."""
-    if np.isnan(angles).all():
+    if np.isnan(angles).all():  # also without any
         return 0.0
     return float(np.nanmean(wrap(angles - direction(angles)) ** 2))
 

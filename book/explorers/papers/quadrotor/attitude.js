@@ -1,24 +1,22 @@
-// The attitude filter: for each axis a small Kalman filter with state [angle, s], s the error of the
-// gyroscope's rate u; x is the angle, and P00, P01, P11 are the elements of its P.
-import { isFullWith, startAgain, startBlock, witness } from "./blocks.js";
-import { DEG, euler_rates, heading, wrap } from "./model.js";
+// The attitude filter: the paper's, for each axis a small Kalman filter with state [angle, s], and the
+// adaptive one (vectors.js). s is the error of the gyroscope's rate u, x the angle; P00, P01 and P11 are the
+// elements of P.
+import { DEG, euler_rates, heading, tilt, wrap } from "./model.js";
+import { samplesAtRest, samplesAtStart } from "./rest.js";
 import { is_dynamic, measured } from "./sensors.js";
-import { mean, median_step, spread, totalVariance } from "./statistics.js";
+import { mean, median_step, spread } from "./statistics.js";
+import { filterVectors, stateOf } from "./vectors.js";
 
 const R_LEAST = 1e-12; // rad2
-const R_LARGEST = 1e4; // times that at rest
 const SERIES = ["angles", "z", "u", "s", "y", "P", "R"];
 
 const METHOD = {
-  kept: false, // is s a state, or noise of one step?
+  kept: false, // is s a bias, or noise of one step?
   R_min: [(3 * DEG) ** 2, (3 * DEG) ** 2, (15 * DEG) ** 2],
   without: [], // corrections that are left out
   m: 1, // R is m times as large while the craft is dynamic
   window: 1, // s
   threshold: 4,
-  block: 1, // s
-  lasting: 0.1,
-  largest: R_LARGEST,
   q_bias: 1e-9,
 };
 
@@ -32,7 +30,7 @@ export const METHODS = {
     without: ["formulas", "Euler rates", "wrapping", "estimated tilt", "rest variance"],
   },
   paper: { ...METHOD, q: 30 * DEG ** 2 },
-  adaptive: { ...METHOD, q: (0.1 * DEG) ** 2, kept: true, R_min: [0, 0, (7 * DEG) ** 2] },
+  adaptive: { ...METHOD, q: (0.1 * DEG) ** 2, kept: true },
 };
 
 /**
@@ -41,9 +39,44 @@ export const METHODS = {
  * next call.
  */
 export function attitude(recording, how, memo = {}) {
+  prepare(recording, how, memo);
+  return how.kept ? byVectors(recording, how, memo) : byAngles(recording, how, memo);
+}
+
+/** The adaptive method; z and u, which it does not use itself, are added. */
+function byVectors(recording, how, memo) {
+  const { gyr, acc, mag } = recording;
+  const rates = new Float64Array(3);
+  const u = new Float64Array(3);
+  const store = (k, f, y) => {
+    const { angles, P, steep } = stateOf(f);
+    if (k > 0) {
+      for (let i = 0; i < 3; i++) {
+        const at = 3 * k + i;
+        rates[i] = (gyr[at] + gyr[at - 3]) / 2 - f.at_rest[i] - memo.s[at - 3];
+      }
+      euler_rates(rates, memo.angles[3 * k - 3], memo.angles[3 * k - 2], u);
+    }
+    const [x_acc, y_acc, z_acc] = acc.subarray(3 * k, 3 * k + 3);
+    const [x_mag, y_mag, z_mag] = mag.subarray(3 * k, 3 * k + 3);
+    memo.z.set([...tilt(x_acc, y_acc, z_acc), heading(x_mag, y_mag, z_mag, angles[0], angles[1])], 3 * k);
+    memo.angles.set(angles, 3 * k);
+    memo.u.set(u, 3 * k);
+    memo.s.set(f.s, 3 * k);
+    for (let i = 0; i < 3; i++) {
+      memo.y[3 * k + i] = steep[i] * y[i];
+      memo.P[3 * k + i] = P[i];
+      memo.R[3 * k + i] = steep[i] ** 2 * f.R[i];
+    }
+  };
+  filterVectors(recording, memo.rest, memo.step, how, store);
+  return memo;
+}
+
+/** The paper's method. */
+function byAngles(recording, how, memo) {
   const { t, gyr, mag } = recording;
   const T = t.length;
-  prepare(recording, how, memo);
   const f = startFilter(recording, how, memo);
   memo.z.set(memo.given);
   memo.y.fill(NaN);
@@ -71,31 +104,29 @@ export function attitude(recording, how, memo = {}) {
 // --- before the first step ---------------------------------------------------------------------------------
 
 /** Fill memo with what depends on sensors and method only; most of it stays while a slider moves. */
-function prepare({ t, gyr, acc, mag, rest_s }, how, memo) {
+function prepare(recording, how, memo) {
+  const { t, gyr, acc, mag, rest_s } = recording;
   const T = t.length;
   const { without } = how;
-  const rest = stepsAtRest(t, rest_s);
-  const isSame = memo.gyr === gyr && memo.acc === acc && memo.mag === mag && memo.without === without;
+  const isSame =
+    memo.rest_s === rest_s &&
+    memo.gyr === gyr &&
+    memo.acc === acc &&
+    memo.mag === mag &&
+    memo.without === without;
   if (!isSame) {
-    const { z, start } = measured(acc, mag, rest, without);
+    const rest = samplesAtRest(recording);
+    const { z, start } = measured(acc, mag, samplesAtStart(t, rest), without);
     const count = without.includes("rest variance") ? T : rest;
     const of_sensors = { given: z, start, step: median_step(t), spread: spread(z, count), dynamic_by: null };
-    Object.assign(memo, { gyr, acc, mag, without, rest, ...of_sensors });
+    Object.assign(memo, { rest_s, gyr, acc, mag, without, rest, ...of_sensors });
     makeSeries(memo, T);
   }
   const dynamic_by = `${how.window} ${how.threshold}`;
   if (memo.dynamic_by !== dynamic_by) {
     memo.dynamic_by = dynamic_by;
-    memo.dynamic = is_dynamic(t, mag, rest, how.window, how.threshold, memo.step);
+    memo.dynamic = is_dynamic(t, mag, memo.rest, how.window, how.threshold, memo.step);
   }
-}
-
-function stepsAtRest(t, rest_s) {
-  let rest = 0;
-  while (rest < t.length && t[rest] - t[0] <= rest_s) {
-    rest++;
-  }
-  return rest;
 }
 
 function makeSeries(memo, T) {
@@ -107,11 +138,10 @@ function makeSeries(memo, T) {
 }
 
 /** The three filters as they start: one number per axis in every array. */
-function startFilter({ gyr, rest_s }, how, memo) {
+function startFilter({ gyr }, how, memo) {
   const { rest } = memo;
   const isMissing = (name) => how.without.includes(name);
   const R_rest = memo.spread.map((variance, i) => Math.max(variance, how.R_min[i], R_LEAST));
-  const P_s = how.kept ? totalVariance(gyr, rest) / 3 / rest_s : 0;
   const factor = memo.dynamic[0] ? how.m : 1;
   return {
     how,
@@ -121,10 +151,9 @@ function startFilter({ gyr, rest_s }, how, memo) {
     gyr: new Float64Array(3), // rates of the body
     P00: Float64Array.from(R_rest, (R) => R * factor),
     P01: new Float64Array(3),
-    P11: new Float64Array(3).fill(P_s),
+    P11: new Float64Array(3),
     R_rest,
-    gyr_at_rest: [0, 1, 2].map((i) => (isMissing("rest mean") ? 0 : mean(gyr, i, rest))),
-    blocks: [0, 1, 2].map(() => startBlock(how, memo.step)),
+    gyr_at_rest: [0, 1, 2].map((i) => (isMissing("rest mean") || rest === 0 ? 0 : mean(gyr, i, rest))),
     turns_rates: !isMissing("Euler rates"),
     looks_ahead: !isMissing("midpoint"),
     wraps: !isMissing("wrapping"),
@@ -152,22 +181,15 @@ function readGyroscope(f, gyr, k, dt) {
   }
 }
 
-/** angle += dt (u - s), and P = F P F' + Q with F = [[1, -dt], [0, 1 or 0]]. */
+/** angle += dt (u - s), and P = F P F' + Q with F = [[1, -dt], [0, 0]]. */
 function predictAngles({ how, x, s, u, P00, P01, P11 }, dt) {
-  const { q, q_bias, kept } = how;
+  const { q } = how;
   for (let i = 0; i < 3; i++) {
     x[i] += dt * (u[i] - s[i]);
-    P00[i] += dt * (dt * P11[i] - 2 * P01[i]);
-    if (kept) {
-      P01[i] -= dt * P11[i];
-      P00[i] += q * dt;
-      P11[i] += q_bias * dt;
-    } else {
-      s[i] = 0;
-      P00[i] += (q * dt * dt * dt) / 3;
-      P01[i] = (-q * dt * dt) / 2;
-      P11[i] = q * dt;
-    }
+    s[i] = 0;
+    P00[i] += dt * (dt * P11[i] - 2 * P01[i]) + (q * dt * dt * dt) / 3;
+    P01[i] = (-q * dt * dt) / 2;
+    P11[i] = q * dt;
   }
 }
 
@@ -175,25 +197,17 @@ function predictAngles({ how, x, s, u, P00, P01, P11 }, dt) {
  * Blend axis i with its measured angle; at: its place in the series. factor: m, while the craft is dynamic.
  */
 function updateAngle(f, series, i, at, factor) {
-  let R = factor * f.R_rest[i];
+  const R = factor * f.R_rest[i];
   if (!Number.isNaN(series.given[at])) {
     const difference = series.z[at] - f.x[i];
-    const y = f.wraps ? wrap(difference) : difference;
-    if (!f.how.kept) {
-      series.y[at] = y;
-      blend(f, i, y, R);
-    } else if (isFullWith(f.blocks[i], y)) {
-      const told = witness(f.blocks[i], f.P00[i], R);
-      R = told.R;
-      series.y[at] = told.y;
-      startAgain(f.blocks[i], blend(f, i, told.y, R));
-    }
+    series.y[at] = f.wraps ? wrap(difference) : difference;
+    blend(f, i, series.y[at], R);
   }
   series.R[at] = R;
   series.P[at] = f.P00[i];
 }
 
-/** The update of one axis: by how much its angle moved. */
+/** The update of one axis. */
 function blend({ x, s, P00, P01, P11 }, i, y, R) {
   const S = P00[i] + R;
   const K0 = P00[i] / S;
@@ -203,7 +217,6 @@ function blend({ x, s, P00, P01, P11 }, i, y, R) {
   P00[i] = K0 * R;
   P11[i] -= K1 * P01[i];
   P01[i] = K1 * R;
-  return K0 * y;
 }
 
 // --- what is kept of it ------------------------------------------------------------------------------------

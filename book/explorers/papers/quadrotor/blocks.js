@@ -1,68 +1,60 @@
-// The adaptive method's witnesses: a block of innovations counts once. Twin of
+// The adaptive method's witnesses: a block of measurements counts once. Twin of
 // kalman_lib/papers/quadrotor/blocks.py.
-import { whole } from "./statistics.js";
+const LOOKS_BACK = 5; // blocks, from which R is estimated
+const NEWEST = 0.5; // so much of the newest change counts at least
+const SCARCE = 3; // fewer blocks say little of R
 
-const LOOKS_BACK = 2; // blocks, from which R is estimated
-
-/** The innovations y of one axis since its last update, and what the latest ones tell of R. */
-export function startBlock(how, step) {
-  const length = Math.max(2, whole(how.block / step)); // samples
-  const recent = LOOKS_BACK * length;
-  return {
-    how,
-    length,
-    gathered: 0, // y since the last update: how many, and their sum
-    sum: 0,
-    squares: ring(recent), // y^2
-    changes: ring(recent), // (y - the y before)^2 / 2
-    latest: NaN,
-  };
+/** The vectors of one sensor since its last update, and what its latest innovations tell of R. */
+export function startBlock(kind, axes) {
+  return startAgain({ kind, latest: Array.from({ length: axes }, () => []) });
 }
 
-/** Take one more innovation; true where it completes the block. */
-export function isFullWith(block, y) {
-  push(block.squares, y * y);
-  if (!Number.isNaN(block.latest)) {
-    push(block.changes, (y - block.latest) ** 2 / 2);
+export function startAgain(block) {
+  return Object.assign(block, { sum: [0, 0, 0], count: 0, lasts: 0 });
+}
+
+/** Take one more vector, NaN where the sensor is silent; true where it completes the block. */
+export function isFullWith(block, vector, dt) {
+  block.lasts += dt;
+  if (!Number.isNaN(vector[0])) {
+    for (let i = 0; i < 3; i++) {
+      block.sum[i] += vector[i];
+    }
+    block.count++;
   }
-  block.latest = y;
-  block.sum += y;
-  block.gathered++;
-  return block.gathered === block.length;
-}
-
-/** The mean of the block, and its variance R; the given R is that of one sample at rest. */
-export function witness({ how, length, sum, squares, changes }, P00, R) {
-  const noise = Math.min(Math.max(meanOf(squares) - P00, R), how.largest * R);
-  const trembles = meanOf(changes);
-  const lasts = Math.max(noise - trembles, how.lasting * noise);
-  return { y: sum / length, R: trembles / length + lasts };
-}
-
-/** The next block, after the update has moved the angle: later innovations are smaller by as much. */
-export function startAgain(block, moved) {
-  block.latest -= moved;
-  block.gathered = 0;
-  block.sum = 0;
-}
-
-// --- the latest values -------------------------------------------------------------------------------------
-
-function ring(length) {
-  return { values: new Float64Array(length), count: 0 };
-}
-
-function push(latest, value) {
-  latest.values[latest.count % latest.values.length] = value;
-  latest.count++;
-}
-
-/** Their mean, added up from the oldest to the newest, as Python does. */
-function meanOf({ values, count }) {
-  const used = Math.min(count, values.length);
-  let sum = 0;
-  for (let j = count - used; j < count; j++) {
-    sum += values[j % values.length];
+  if (block.lasts < block.kind.seconds - dt / 2) {
+    return false;
   }
-  return sum / used;
+  if (block.count === 0) {
+    startAgain(block);
+  }
+  return block.count > 0;
+}
+
+/** The attitude is turned by a small angle (3), and what was gathered with it. */
+export function turnBlock({ sum }, [x, y, z]) {
+  const [a, b, c] = sum;
+  sum[0] += y * c - z * b;
+  sum[1] += z * a - x * c;
+  sum[2] += x * b - y * a;
+}
+
+export function meanOf({ sum, count }) {
+  return sum.map((value) => value / count);
+}
+
+/** R of the newest innovation y along the axis i; P its variance by the prediction. */
+export function noiseOf({ kind, latest }, i, y, P) {
+  latest[i] = [...latest[i], y].slice(-LOOKS_BACK);
+  const count = latest[i].length;
+  const mean = latest[i].reduce((sum, value) => sum + value, 0) / count;
+  const squares = latest[i].reduce((sum, value) => sum + (value - mean) ** 2, 0) / count;
+  const changes = Math.max(squares, NEWEST * (y - mean) ** 2);
+  const R = Math.max(changes + Math.min(mean ** 2, kind.lasting) - P, kind.least);
+  return count >= SCARCE ? R : Math.max(R, kind.usual);
+}
+
+/** The angle has moved: the latest innovations are smaller by as much. */
+export function moveBlock({ latest }, i, by) {
+  latest[i] = latest[i].map((y) => y - by);
 }

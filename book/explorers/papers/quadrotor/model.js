@@ -10,7 +10,7 @@ export const DEG = Math.PI / 180; // rad
 export const GRAVITY = 9.81; // m/s2
 export const FIELD = [38.13, 0, -23.79]; // uT: the earth's field in Yogyakarta, 2022; x is magnetic north
 export const REST = 6; // s before take-off
-const STEEPEST = 85 * DEG;
+export const STEEPEST = 85 * DEG;
 
 /**
  * The paper's model: state [roll, its rate, pitch, its rate, yaw, its rate], measured: the angles, input: the

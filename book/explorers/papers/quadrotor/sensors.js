@@ -30,18 +30,26 @@ export function is_dynamic(t, mag, rest, window, threshold, step = median_step(t
   const T = t.length;
   const dynamic = new Uint8Array(T);
   const length = Math.min(T, Math.max(2, whole(window / step))); // steps
-  const most = threshold * totalVariance(mag, rest);
-  const sums = slidingSums([0, 1, 2].map((i) => mean(mag, i, rest)));
+  const sums = slidingSums([0, 1, 2].map((i) => mean(mag, i, rest || T)));
+  const variances = new Float64Array(T);
   let known_at_rest = 0;
   for (let k = 0; k < T; k++) {
     const is_known = sums.take(mag, k, 1);
-    if (is_known && k < rest) {
+    if (is_known && k < (rest || T)) {
       known_at_rest++;
     }
     if (k >= length) {
       sums.take(mag, k - length, -1);
     }
-    dynamic[k] = sums.variance() > most;
+    variances[k] = sums.variance();
+  }
+  // without a rest the quietest window serves
+  const quiet =
+    rest > 0
+      ? totalVariance(mag, rest)
+      : variances.subarray(length - 1).reduce((least, value) => Math.min(least, value));
+  for (let k = 0; k < T; k++) {
+    dynamic[k] = variances[k] > threshold * quiet;
   }
   return known_at_rest > 0 ? dynamic : dynamic.fill(0);
 }

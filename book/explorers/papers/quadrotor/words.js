@@ -73,6 +73,13 @@ export const CONTROLS = {
     id: "Rekaman sendiri (CSV, ZIP, atau Excel; tetap di komputer ini)",
     en: "A recording of my own (CSV, ZIP or Excel; it stays on this computer)",
   },
+  axes: { id: "Sumbu alat", en: "Axes of the device" },
+  frames: {
+    "": { id: "menurut berkasnya", en: "as the file suggests" },
+    phone: { id: "ponsel: x kanan, y tepi atas, z keluar", en: "phone: x right, y top edge, z out" },
+    flu: { id: "x depan, y kiri, z atas", en: "x forward, y left, z up" },
+    frd: { id: "x depan, y kanan, z bawah", en: "x forward, y right, z down" },
+  },
   back: { id: "Kembali ke penerbangan sintetis", en: "Back to the synthetic flight" },
   moment: { id: "saat yang digambar", en: "the moment that is drawn" },
   fly: { id: "Terbangkan", en: "Fly" },
