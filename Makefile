@@ -10,7 +10,7 @@ JS := "**/*.{js,mjs,css}"
 BUNDLE := kalman_lib/live/bundle/widget.js
 SIDE_BY_SIDE := --numprocesses 2 --dist loadfile --no-loadscope-reorder
 
-.PHONY: help book watch test bench explorers wheel lint lint-py lint-js format format-py format-js lab serve outputs lists lock clean
+.PHONY: help book watch test bench explorers wheel release tools newest links lint lint-py lint-js format format-py format-js lab serve outputs lists lock clean
 .DEFAULT_GOAL := help
 
 help: ## show this list
@@ -42,6 +42,19 @@ explorers: $(BUNDLE) ## make what kalman_lib.explorer and .exercises show in a n
 
 wheel: $(BUNDLE) ## make a wheel of kalman_lib with explorers and exercises: _build/wheel
 	$(PY) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir _build/wheel .
+
+release: book wheel ## what a release hands over: archives of both languages and the wheel, in _build/release
+	rm -rf _build/release && mkdir -p _build/release
+	cp _build/site/*/*.zip _build/wheel/*.whl _build/release
+
+tools: ## install what only the tests need from Debian or Ubuntu: Chromium and LibreOffice Calc
+	sh .ci/tools
+
+newest: $(VENV)/.npm ## take the newest releases of all requirements instead of the locked ones
+	$(PY) -m pip install --disable-pip-version-check --upgrade -r requirements.txt
+
+links: $(BUNDLE) ## follow every link of the book that leads outside (needs a network)
+	$(PY) book/_make/links.py
 
 lint: lint-py lint-js ## check every source: Ruff, ESLint and Prettier
 

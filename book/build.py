@@ -137,7 +137,7 @@ def build():
     around = frame()
     again = not is_new(frame_mark, around)
     frame_mark.unlink(missing_ok=True)  # until this build is done
-    assemble(build_languages(again), everything)
+    assemble(build_languages(again))
     site_mark.write_text(everything)
     frame_mark.write_text(around)
     print(f"\nBuilt in {time.monotonic() - started:.0f} s.")

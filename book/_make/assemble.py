@@ -4,14 +4,18 @@ import json
 import shutil
 import zipfile
 
+import found
+import kept
+import licences
+import light
 import texts
 import yaml
+from edition import edition
 from places import ROOT, SITE
 
 ZIP_NAMES = {"id": "filter-kalman", "en": "kalman-filter"}
 ZIPPED_FOLDERS = ("notebooks/data", "kalman_lib")
 ZIPPED_FILES = ("requirements.txt", "requirements.lock", "pyproject.toml", "LICENSE")
-KEPT_OFFLINE = {".html", ".css", ".js", ".png", ".svg", ".ico", ".woff2"}
 NOT_FOR_READERS = (
     "*.map",
     "*.ttf",
@@ -25,23 +29,26 @@ NOT_FOR_READERS = (
 )
 
 
-def assemble(outputs, version):
-    """outputs: {language: folder of its pages}; version: what tells this site from an older one."""
+def assemble(outputs):
+    """outputs: {language: folder of its pages}."""
+    toc = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))
+    page = f"{toc['root']}.html"
     shutil.rmtree(SITE, ignore_errors=True)
     for language, output in outputs.items():
         folder = SITE / language
         shutil.copytree(output, folder, ignore=shutil.ignore_patterns(*NOT_FOR_READERS))
         remove_old_pictures(folder)
+        light.lighten(folder)
         write_workbook(folder / "kalman.xlsx")
-        write_offline_worker(language, folder, version)
         write_zip(language, folder / f"{ZIP_NAMES[language]}.zip")
-    toc = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))
-    choose = template("choose.html").replace("{{ page }}", f"{toc['root']}.html")
+        kept.write_language(language, page)
+    choose = kept.template("choose.html").replace("{{ page }}", page)
+    for language, title in edition()["title"].items():
+        choose = choose.replace("{{ " + language + " }}", title)
     (SITE / "index.html").write_text(choose, encoding="utf-8")
-
-
-def template(name):
-    return (ROOT / "book" / "_templates" / name).read_text(encoding="utf-8")
+    kept.write_root(page)
+    found.write_found(page)
+    licences.write_licences(outputs["en"])
 
 
 def remove_old_pictures(folder):
@@ -58,20 +65,6 @@ def write_workbook(path):
     from kalman_lib.papers import smoother
 
     data.write_workbook(path, smoother.MEASURED, Q=1e-5, R=1e-5, x0=0, P0=1)
-
-
-def write_offline_worker(language, folder, version):
-    """The script that keeps the pages of one language on the reader's device.
-
-    It works over http; file:// needs no such thing.
-    """
-    files = [file for file in sorted(folder.rglob("*")) if file.suffix in KEPT_OFFLINE]
-    kept = [file.relative_to(folder).as_posix() for file in files if file.is_file()]
-    values = {"language": language, "version": version[:12], "files": json.dumps(kept)}
-    script = template("offline-worker.js")
-    for name, value in values.items():
-        script = script.replace("{{ " + name + " }}", value)
-    (folder / "offline-worker.js").write_text(script, encoding="utf-8")
 
 
 def write_zip(language, path):
