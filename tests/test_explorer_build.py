@@ -116,7 +116,7 @@ def test_scripts_only_where_they_are_needed(site):
 
 @pytest.mark.parametrize("language", ["id", "en"])
 def test_the_core_and_one_paper_are_small(language, site):
-    made = site.parent / "work" / language / "_build" / "html"  # the site has one style sheet for all
+    made = site.parent / "work" / language / "_build" / "html"  # the site has one sheet for all
     folder = made / "_static" / "vendor" / "explorers"
     sizes = {file.name: len(gzip.compress(file.read_bytes(), 9)) for file in folder.iterdir()}
     core = sizes.pop("core.js") + sizes.pop("core.css")
