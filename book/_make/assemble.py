@@ -1,6 +1,7 @@
 """Puts the finished pages of both languages into _build/site, with what readers take home."""
 
 import json
+import re
 import shutil
 import zipfile
 
@@ -11,11 +12,13 @@ import light
 import texts
 import yaml
 from edition import edition
-from places import ROOT, SITE
+from places import BUILD, ROOT, SITE
 
 ZIP_NAMES = {"id": "filter-kalman", "en": "kalman-filter"}
 ZIPPED_FOLDERS = ("notebooks/data", "kalman_lib")
 ZIPPED_FILES = ("requirements.txt", "requirements.lock", "pyproject.toml", "LICENSE")
+PDFS = BUILD / "pdf"
+PDF_LINK = re.compile(r'\s*· <a class="whole-pdf"[^>]*>[^<]*</a>')
 NOT_FOR_READERS = (
     "*.map",
     "*.ttf",
@@ -39,6 +42,7 @@ def assemble(outputs):
         shutil.copytree(output, folder, ignore=shutil.ignore_patterns(*NOT_FOR_READERS))
         remove_old_pictures(folder)
         light.lighten(folder)
+        take_pdf(folder, f"{ZIP_NAMES[language]}.pdf")
         write_workbook(folder / "kalman.xlsx")
         write_zip(language, folder / f"{ZIP_NAMES[language]}.zip")
         kept.write_language(language, page)
@@ -49,6 +53,22 @@ def assemble(outputs):
     kept.write_root(page)
     found.write_found(page)
     licences.write_licences(outputs["en"])
+
+
+def built_pages():
+    """What the last build made: {language: folder of its pages}."""
+    return {language: BUILD / "work" / language / "_build" / "html" for language in ZIP_NAMES}
+
+
+def take_pdf(folder, name):
+    """The PDF of this build (make pdf), or no link to it."""
+    made = PDFS / name
+    if made.exists():
+        shutil.copy(made, folder / name)
+        return
+    for page in folder.rglob("*.html"):
+        text = page.read_text(encoding="utf-8")
+        page.write_text(PDF_LINK.sub("", text), encoding="utf-8")
 
 
 def remove_old_pictures(folder):
@@ -78,6 +98,9 @@ def write_zip(language, path):
             archive.write(file, f"{top}/{file.relative_to(ROOT).as_posix()}")
         workbook = path.parent / "kalman.xlsx"  # chapter 2 links to it
         archive.write(workbook, f"{top}/kalman.xlsx")
+        whole = path.with_suffix(".pdf")
+        if whole.exists():
+            archive.write(whole, f"{top}/{whole.name}")
         for source in sorted((ROOT / "notebooks").glob("*.ipynb")):
             notebook = json.loads(source.read_text(encoding="utf-8"))
             content = texts.download_notebook(notebook, language)
