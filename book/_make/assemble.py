@@ -9,6 +9,7 @@ import found
 import kept
 import licences
 import light
+import mend
 import texts
 import yaml
 from edition import edition
@@ -17,6 +18,7 @@ from places import BUILD, ROOT, SITE
 ZIP_NAMES = {"id": "filter-kalman", "en": "kalman-filter"}
 ZIPPED_FOLDERS = ("notebooks/data", "kalman_lib")
 ZIPPED_FILES = ("requirements.txt", "requirements.lock", "pyproject.toml", "LICENSE")
+BOOK_LINK = re.compile(r"\[([^\[\]]*)\]\(\.\./book/([\w-]+)\.md(#[\w-]+)?\)")
 PDFS = BUILD / "pdf"
 PDF_LINK = re.compile(r'\s*· <a class="whole-pdf"[^>]*>[^<]*</a>')
 NOT_FOR_READERS = (
@@ -41,6 +43,7 @@ def assemble(outputs):
         folder = SITE / language
         shutil.copytree(output, folder, ignore=shutil.ignore_patterns(*NOT_FOR_READERS))
         remove_old_pictures(folder)
+        mend.mend(folder, language)
         light.lighten(folder)
         take_pdf(folder, f"{ZIP_NAMES[language]}.pdf")
         write_workbook(folder / "kalman.xlsx")
@@ -94,6 +97,7 @@ def write_zip(language, path):
     """
     top = path.stem
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr(f"{top}/README.md", readme(language))
         for file in zipped_files():
             archive.write(file, f"{top}/{file.relative_to(ROOT).as_posix()}")
         workbook = path.parent / "kalman.xlsx"  # chapter 2 links to it
@@ -104,8 +108,32 @@ def write_zip(language, path):
         for source in sorted((ROOT / "notebooks").glob("*.ipynb")):
             notebook = json.loads(source.read_text(encoding="utf-8"))
             content = texts.download_notebook(notebook, language)
+            lead_to_the_site(content, language)
             text = json.dumps(content, indent=1, ensure_ascii=False)
             archive.writestr(f"{top}/notebooks/{source.name}", text)
+
+
+def readme(language):
+    """What the archive is and how it runs, from the lines of this language."""
+    about = edition()
+    lines = kept.template("zip-readme.md").splitlines()
+    other = next(code for code in ZIP_NAMES if code != language)
+    mine = [line.removeprefix(f"{language}: ") for line in lines if line[:4] != f"{other}: "]
+    text = "\n".join(mine) + "\n"
+    values = {**about, "title": about["title"][language]}
+    for name in ("title", "version", "date"):
+        text = text.replace("{{ " + name + " }}", values[name])
+    return text
+
+
+def lead_to_the_site(notebook, language):
+    """Pages that are no notebooks are not in the archive: a link leads to the site, if its address
+    is known, else the words alone stay."""
+    address = edition()["address"].rstrip("/")
+    page = rf"[\1]({address}/{language}/book/\2.html\3)" if address else r"\1"
+    for cell in notebook["cells"]:
+        if cell["cell_type"] == "markdown":
+            cell["source"] = BOOK_LINK.sub(page, "".join(cell["source"]))
 
 
 def zipped_files():

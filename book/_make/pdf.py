@@ -57,6 +57,19 @@ def print_pdf(chromium, document, target):
             footer_template=FOOTER,
         )
         browser.close()
+    pack(target)
+
+
+def pack(path):
+    """Chromium leaves the many small parts of a tagged document as they are."""
+    import pikepdf
+
+    with pikepdf.open(path, allow_overwriting_input=True) as document:
+        document.save(
+            path,
+            object_stream_mode=pikepdf.ObjectStreamMode.generate,
+            recompress_flate=True,
+        )
 
 
 if __name__ == "__main__":

@@ -64,6 +64,7 @@ class Page:
         self.article = BeautifulSoup(text, "html.parser").find("article")
         self.title = self.article.find("h1").get_text().removesuffix("#")
         self.solutions = self.take_solutions()
+        self.keep_choices()
         for part in self.article.select(NOT_ON_PAPER):
             part.decompose()
         self.rename()
@@ -79,6 +80,15 @@ class Page:
         for solution in self.article.select(".exercise-solution"):
             solution.decompose()
         return found
+
+    def keep_choices(self):
+        """What a reader may choose from stays, as lines; buttons and fields go."""
+        for form in self.article.select(".exercise form"):
+            for choice in form.select(".exercise-choices label"):
+                choice.name = "p"
+                choice.find("input").decompose()
+                choice.select_one(".exercise-letter").append(" ")
+                form.insert_before(choice.extract())
 
     def rename(self):
         """Names and addresses count from the whole document."""
