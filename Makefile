@@ -10,7 +10,7 @@ JS := "**/*.{js,mjs,css}"
 BUNDLE := kalman_lib/live/bundle/widget.js
 SIDE_BY_SIDE := --numprocesses 3 --dist loadfile --no-loadscope-reorder
 
-.PHONY: help book watch test bench explorers wheel lint lint-py lint-js format format-py format-js lab serve outputs lists lock clean
+.PHONY: help book pdf watch test bench explorers wheel release tools newest links lint lint-py lint-js format format-py format-js lab serve outputs lists lock clean
 .DEFAULT_GOAL := help
 
 help: ## show this list
@@ -21,6 +21,9 @@ book: $(BUNDLE) ## build the book in both languages: _build/site/index.html
 
 watch: $(BUNDLE) ## build one page whenever it is saved: make watch PAGE=notebooks/03_gyro LANGUAGE=en
 	$(PY) book/build.py --only $(PAGE) --language $(LANGUAGE) --watch
+
+pdf: book ## make one PDF a language and put them into the site: _build/pdf
+	$(PY) book/_make/pdf.py
 
 test: lint $(BUNDLE) ## lint, run every test, then every notebook again, comparing its stored outputs
 	$(PY) -m pytest $(SIDE_BY_SIDE) tests
@@ -42,6 +45,19 @@ explorers: $(BUNDLE) ## make what kalman_lib.explorer and .exercises show in a n
 
 wheel: $(BUNDLE) ## make a wheel of kalman_lib with explorers and exercises: _build/wheel
 	$(PY) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir _build/wheel .
+
+release: pdf wheel ## what a release hands over: archives and PDFs of both languages and the wheel, in _build/release
+	rm -rf _build/release && mkdir -p _build/release
+	cp _build/site/*/*.zip _build/pdf/*.pdf _build/wheel/*.whl _build/release
+
+tools: ## install what only the tests need from Debian or Ubuntu: Chromium and LibreOffice Calc
+	sh .ci/tools
+
+newest: $(VENV)/.npm ## take the newest releases of all requirements instead of the locked ones
+	$(PY) -m pip install --disable-pip-version-check --upgrade -r requirements.txt
+
+links: $(BUNDLE) ## follow every link of the book that leads outside (needs a network)
+	$(PY) book/_make/links.py
 
 lint: lint-py lint-js ## check every source: Ruff, ESLint and Prettier
 

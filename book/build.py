@@ -38,7 +38,7 @@ try:
     import jupyter_book  # noqa: F401  (these two only to see that they are there)
     import offline
     import yaml
-    from assemble import assemble, remove_old_pictures  # noqa: F401  (a test asks for the second)
+    from assemble import PDFS, assemble, remove_old_pictures  # noqa: F401  (a test asks for the second)
     from changes import fingerprint, frame, is_new
     from chapters import execute_notebooks
     from filelock import FileLock
@@ -137,7 +137,9 @@ def build():
     around = frame()
     again = not is_new(frame_mark, around)
     frame_mark.unlink(missing_ok=True)  # until this build is done
-    assemble(build_languages(again), everything)
+    pages = build_languages(again)
+    shutil.rmtree(PDFS, ignore_errors=True)  # they show another build
+    assemble(pages)
     site_mark.write_text(everything)
     frame_mark.write_text(around)
     print(f"\nBuilt in {time.monotonic() - started:.0f} s.")

@@ -1,17 +1,26 @@
 """Puts the finished pages of both languages into _build/site, with what readers take home."""
 
 import json
+import re
 import shutil
 import zipfile
 
+import found
+import kept
+import licences
+import light
+import mend
 import texts
 import yaml
-from places import ROOT, SITE
+from edition import edition
+from places import BUILD, ROOT, SITE
 
 ZIP_NAMES = {"id": "filter-kalman", "en": "kalman-filter"}
 ZIPPED_FOLDERS = ("notebooks/data", "kalman_lib")
 ZIPPED_FILES = ("requirements.txt", "requirements.lock", "pyproject.toml", "LICENSE")
-KEPT_OFFLINE = {".html", ".css", ".js", ".png", ".svg", ".ico", ".woff2"}
+BOOK_LINK = re.compile(r"\[([^\[\]]*)\]\(\.\./book/([\w-]+)\.md(#[\w-]+)?\)")
+PDFS = BUILD / "pdf"
+PDF_LINK = re.compile(r'\s*· <a class="whole-pdf"[^>]*>[^<]*</a>')
 NOT_FOR_READERS = (
     "*.map",
     "*.ttf",
@@ -25,23 +34,44 @@ NOT_FOR_READERS = (
 )
 
 
-def assemble(outputs, version):
-    """outputs: {language: folder of its pages}; version: what tells this site from an older one."""
+def assemble(outputs):
+    """outputs: {language: folder of its pages}."""
+    toc = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))
+    page = f"{toc['root']}.html"
     shutil.rmtree(SITE, ignore_errors=True)
     for language, output in outputs.items():
         folder = SITE / language
         shutil.copytree(output, folder, ignore=shutil.ignore_patterns(*NOT_FOR_READERS))
         remove_old_pictures(folder)
+        mend.mend(folder, language)
+        light.lighten(folder)
+        take_pdf(folder, f"{ZIP_NAMES[language]}.pdf")
         write_workbook(folder / "kalman.xlsx")
-        write_offline_worker(language, folder, version)
         write_zip(language, folder / f"{ZIP_NAMES[language]}.zip")
-    toc = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))
-    choose = template("choose.html").replace("{{ page }}", f"{toc['root']}.html")
+        kept.write_language(language, page)
+    choose = kept.template("choose.html").replace("{{ page }}", page)
+    for language, title in edition()["title"].items():
+        choose = choose.replace("{{ " + language + " }}", title)
     (SITE / "index.html").write_text(choose, encoding="utf-8")
+    kept.write_root(page)
+    found.write_found(page)
+    licences.write_licences(outputs["en"])
 
 
-def template(name):
-    return (ROOT / "book" / "_templates" / name).read_text(encoding="utf-8")
+def built_pages():
+    """What the last build made: {language: folder of its pages}."""
+    return {language: BUILD / "work" / language / "_build" / "html" for language in ZIP_NAMES}
+
+
+def take_pdf(folder, name):
+    """The PDF of this build (make pdf), or no link to it."""
+    made = PDFS / name
+    if made.exists():
+        shutil.copy(made, folder / name)
+        return
+    for page in folder.rglob("*.html"):
+        text = page.read_text(encoding="utf-8")
+        page.write_text(PDF_LINK.sub("", text), encoding="utf-8")
 
 
 def remove_old_pictures(folder):
@@ -60,20 +90,6 @@ def write_workbook(path):
     data.write_workbook(path, smoother.MEASURED, Q=1e-5, R=1e-5, x0=0, P0=1)
 
 
-def write_offline_worker(language, folder, version):
-    """The script that keeps the pages of one language on the reader's device.
-
-    It works over http; file:// needs no such thing.
-    """
-    files = [file for file in sorted(folder.rglob("*")) if file.suffix in KEPT_OFFLINE]
-    kept = [file.relative_to(folder).as_posix() for file in files if file.is_file()]
-    values = {"language": language, "version": version[:12], "files": json.dumps(kept)}
-    script = template("offline-worker.js")
-    for name, value in values.items():
-        script = script.replace("{{ " + name + " }}", value)
-    (folder / "offline-worker.js").write_text(script, encoding="utf-8")
-
-
 def write_zip(language, path):
     """What a reader needs to run the chapters.
 
@@ -81,15 +97,43 @@ def write_zip(language, path):
     """
     top = path.stem
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr(f"{top}/README.md", readme(language))
         for file in zipped_files():
             archive.write(file, f"{top}/{file.relative_to(ROOT).as_posix()}")
         workbook = path.parent / "kalman.xlsx"  # chapter 2 links to it
         archive.write(workbook, f"{top}/kalman.xlsx")
+        whole = path.with_suffix(".pdf")
+        if whole.exists():
+            archive.write(whole, f"{top}/{whole.name}")
         for source in sorted((ROOT / "notebooks").glob("*.ipynb")):
             notebook = json.loads(source.read_text(encoding="utf-8"))
             content = texts.download_notebook(notebook, language)
+            lead_to_the_site(content, language)
             text = json.dumps(content, indent=1, ensure_ascii=False)
             archive.writestr(f"{top}/notebooks/{source.name}", text)
+
+
+def readme(language):
+    """What the archive is and how it runs, from the lines of this language."""
+    about = edition()
+    lines = kept.template("zip-readme.md").splitlines()
+    other = next(code for code in ZIP_NAMES if code != language)
+    mine = [line.removeprefix(f"{language}: ") for line in lines if line[:4] != f"{other}: "]
+    text = "\n".join(mine) + "\n"
+    values = {**about, "title": about["title"][language]}
+    for name in ("title", "version", "date"):
+        text = text.replace("{{ " + name + " }}", values[name])
+    return text
+
+
+def lead_to_the_site(notebook, language):
+    """Pages that are no notebooks are not in the archive: a link leads to the site, if its address
+    is known, else the words alone stay."""
+    address = edition()["address"].rstrip("/")
+    page = rf"[\1]({address}/{language}/book/\2.html\3)" if address else r"\1"
+    for cell in notebook["cells"]:
+        if cell["cell_type"] == "markdown":
+            cell["source"] = BOOK_LINK.sub(page, "".join(cell["source"]))
 
 
 def zipped_files():

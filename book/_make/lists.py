@@ -1,10 +1,10 @@
-"""The lists that make lists writes: chapters in README.md and book/intro.md, glossary, notation.
+"""What make lists writes: chapters in README.md and book/intro.md, glossary, notation, title.
 
 The order is that of _toc.yml, the titles are the first headings of the chapters, and the sentence
 about a chapter stands in the metadata of its notebook: {"book": {"sentence": {"id": ..., "en":
 ...}}}. The errata, with more to say, are written by hand; tests/test_lists.py names what they miss.
 The glossary comes from book/terms.yml (glossary.py), the notation from book/letters.yml
-(notation.py).
+(notation.py), title, authors and version from _config.yml (edition.py).
 """
 
 import json
@@ -16,6 +16,7 @@ import yaml
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 sys.path[:0] = [str(ROOT / "book" / "_ext"), str(ROOT / "book" / "_make")]
+import edition  # noqa: E402
 from glossary import glossary  # noqa: E402
 from notation import for_all, for_some  # noqa: E402
 from texts import headings, source_in  # noqa: E402
@@ -102,10 +103,11 @@ def wanted():
         GLOSSARY: [glossary(language, chapters()) for language in languages],
         NOTATION: [table(language) for language in languages for table in (for_all, for_some)],
     }
-    return {
-        path: with_lists(path.read_text(encoding="utf-8"), *texts)
-        for path, texts in written.items()
-    }
+    found = edition.texts()
+    for path, parts in written.items():
+        text = found.get(path) or path.read_text(encoding="utf-8")
+        found[path] = with_lists(text, *parts)
+    return found
 
 
 if __name__ == "__main__":

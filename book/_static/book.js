@@ -97,18 +97,6 @@
     });
   }
 
-  /** Keep the book for reading without a network, unless the reader asks to save data. */
-  function keepForOffline() {
-    const canKeep = "serviceWorker" in navigator && location.protocol.startsWith("http");
-    if (!canKeep || navigator.connection?.saveData) {
-      return;
-    }
-    const root = document.documentElement.dataset.content_root || "./";
-    navigator.serviceWorker.register(new URL(root + "offline-worker.js", location)).catch(() => {
-      // refused: read online
-    });
-  }
-
   if (document.documentElement.lang === "id" && typeof messages !== "undefined") {
     translateCopyButton();
   }
@@ -124,6 +112,4 @@
     window.addEventListener("resize", makeBoxesFocusable);
     closeContentsAfterChoice();
   });
-
-  window.addEventListener("load", keepForOffline); // when the page is complete
 })();

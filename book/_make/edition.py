@@ -1,0 +1,109 @@
+"""Title, authors, version and date of this edition: they stand in _config.yml, and everything else
+takes them from there.
+
+Who adopts the book changes _config.yml alone and calls `make lists`, which writes them into the
+files below; pages and site take them while they are built.
+"""
+
+import re
+
+import yaml
+from places import ROOT
+
+QUOTED = r'"[^"]*"'
+
+
+def edition():
+    """{title: {id, en}, authors: [names], address, repository, version, date}"""
+    config = yaml.safe_load((ROOT / "_config.yml").read_text(encoding="utf-8"))
+    indonesian, english = config["title"].split(" | ")
+    authors = [name.strip() for name in config["author"].split(",") if name.strip()]
+    about = config["sphinx"]["config"]["book_edition"]
+    return {**about, "title": {"id": indonesian, "en": english}, "authors": authors}
+
+
+def written(about):
+    """{path: [(what stands there, what should)]}; each must be found."""
+    title = about["title"]
+    both = f"{title['id']} / {title['en']}"
+    holder = ", ".join(about["authors"]) or f'The authors of "{both}"'
+    year = about["date"][:4]
+    first = (r"\A# .*", f"# {title['id']} · {title['en']}")
+    return {
+        "README.md": [first],
+        "book/intro.md": [heading("id", title), heading("en", title)],
+        "book/about.md": [*quotation("id", about), *quotation("en", about)],
+        "LICENSE": [(r"Copyright \(c\) \d{4} .*", f"Copyright (c) {year} {holder}")],
+        "pyproject.toml": [
+            (r'^version = ".*', f'version = "{about["version"]}"'),
+            (r'^description = ".*', f'description = "The small helper package of the book {both}"'),
+        ],
+        "kalman_lib/data/workbook_words.py": [(f"CREATOR = {QUOTED}", f'CREATOR = "{both}"')],
+        "book/explorers/files/xlsx.js": [(f"AUTHOR = {QUOTED}", f'AUTHOR = "{both}"')],
+    }
+
+
+def heading(language, title):
+    """The first heading of the half of a page in this language."""
+    mark = rf'(\+\+\+ {{"tags": \["lang-{language}"\]}}\n\n)# .*'
+    return mark, rf"\g<1># {title[language]}"
+
+
+def quotation(language, about):
+    """How the page about the book tells to cite it."""
+    mark = rf'(lang-{language}"\]}}(?:(?!lang-)[\s\S])*?'
+    year, number = about["date"][:4], about["version"]
+    author = " and ".join(about["authors"])
+    return [
+        (mark + r"title   = \{)[^}]*", rf"\g<1>{about['title'][language]}"),
+        (mark + r"author  = \{)[^}]*", rf"\g<1>{author or about['title'][language]}"),
+        (mark + r"year    = \{)[^}]*", rf"\g<1>{year}"),
+        (mark + r"edition = \{)[^}]*", rf"\g<1>{number}"),
+    ]
+
+
+def citation(about):
+    """CITATION.cff: the repository is software, what is cited is the book."""
+    both = f"{about['title']['id']} / {about['title']['en']}"
+    names = about["authors"] or [f"The authors of {about['title']['en']}"]
+    authors = [{"name": name} for name in names]
+    links = {}
+    if about["address"]:
+        links["url"] = about["address"]
+    if about["repository"]:
+        links["repository-code"] = about["repository"]
+    book = {
+        "type": "book",
+        "title": both,
+        "authors": [dict(author) for author in authors],  # no reference in the YAML
+        "year": int(about["date"][:4]),
+        "edition": about["version"],
+        **({"url": about["address"]} if about["address"] else {}),
+    }
+    content = {
+        "cff-version": "1.2.0",
+        "message": "If you use this book in teaching or research, please cite it as below.",
+        "title": both,
+        "type": "software",
+        "version": about["version"],
+        "date-released": about["date"],
+        "license": ["MIT", "CC-BY-4.0"],
+        **links,
+        "authors": authors,
+        "preferred-citation": book,
+    }
+    return yaml.safe_dump(content, sort_keys=False, allow_unicode=True, width=120)
+
+
+def texts():
+    """{path: its text as it should be}"""
+    about = edition()
+    found = {ROOT / "CITATION.cff": citation(about)}
+    for name, changes in written(about).items():
+        text = (ROOT / name).read_text(encoding="utf-8")
+        for pattern, wanted in changes:
+            text, count = re.subn(pattern, wanted, text, count=1, flags=re.MULTILINE)
+            if not count:
+                raise SystemExit(f"{name}: nothing fits {pattern}")
+        found[ROOT / name] = text
+    return found

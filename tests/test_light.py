@@ -1,0 +1,56 @@
+"""What a reader with a poor connection fetches: bytes, not times."""
+
+import re
+
+import pytest
+from weigh import first_view, packing_host
+
+TEXT, CHAPTER = 180_000, 320_000  # bytes at the first view of a page, packed
+MOST_SHIFT = 0.02
+
+
+def heaviest(site, pattern):
+    pages = [path for path in site.glob(pattern) if "<kalman-explorer" in path.read_text()]
+    return max(pages, key=lambda path: path.stat().st_size)
+
+
+@pytest.mark.parametrize("language", ["id", "en"])
+def test_the_first_view_is_light_and_still(language, site, chromium):
+    pages = {
+        f"{language}/book/use.html": TEXT,
+        f"{language}/book/glossary.html": TEXT,
+        heaviest(site, f"{language}/notebooks/*.html").relative_to(site).as_posix(): CHAPTER,
+        f"{language}/notebooks/06_quadrotor.html": CHAPTER,
+    }
+    with packing_host(site) as address:
+        for page, limit in pages.items():
+            size, requests, shift = first_view(chromium, f"{address}/{page}")
+            assert 20_000 < size <= limit and requests > 5, (page, size)
+            assert shift <= MOST_SHIFT, (page, shift)
+
+
+def test_one_style_sheet_for_all_pages(site):
+    for language in ("id", "en"):
+        folder = site / language
+        assert [path.name for path in folder.rglob("*.css")] == ["all.css"]
+        for page in folder.rglob("*.html"):
+            sheets = re.findall(r'<link[^>]*stylesheet"[^>]*>', page.read_text(encoding="utf-8"))
+            assert len(sheets) == ("http-equiv" not in page.read_text(encoding="utf-8")), page
+
+
+def test_whatever_a_sheet_or_a_page_names_is_there(site):
+    for language in ("id", "en"):
+        folder = site / language
+        css = (folder / "_static" / "all.css").read_text(encoding="utf-8")
+        for font in re.findall(r'url\(["\']?([^"\')]+\.woff2)', css):
+            if "fontawesome" not in font:  # named by the theme, never used: the icons are drawn
+                assert (folder / "_static" / font).exists(), font
+        for page in folder.rglob("*.html"):
+            text = page.read_text(encoding="utf-8")
+            for name in re.findall(r'<img[^>]*src="([^"]+)"', text):
+                assert name.startswith("data:") or (page.parent / name).exists(), (page, name)
+
+
+def test_no_picture_is_larger_than_its_other_format(site):
+    for picture in (site / "id" / "_images").glob("*.webp"):
+        assert picture.stat().st_size > 0 and not picture.with_suffix(".png").exists()

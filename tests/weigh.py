@@ -1,0 +1,64 @@
+"""What a phone fetches to show a page for the first time: a host that packs, and a browser."""
+
+import contextlib
+import functools
+import gzip
+import http.server
+import threading
+from pathlib import Path
+
+PHONE = dict(
+    viewport={"width": 390, "height": 844}, is_mobile=True, has_touch=True, device_scale_factor=2
+)
+PACKED = (".html", ".css", ".js", ".svg", ".webmanifest")
+SHIFTS = """
+  window.shifted = 0;
+  const count = e => { if (!e.hadRecentInput) shifted += e.value; };
+  const add = list => list.getEntries().forEach(count);
+  new PerformanceObserver(add).observe({ type: 'layout-shift', buffered: true });"""
+
+
+class Packing(http.server.SimpleHTTPRequestHandler):
+    """A static host that sends texts packed with gzip, as hosts do."""
+
+    def do_GET(self):
+        path = Path(self.translate_path(self.path.partition("?")[0]))
+        if not path.is_file():
+            return self.send_error(404)
+        content = path.read_bytes()
+        self.send_response(200)
+        self.send_header("Content-Type", self.guess_type(path))
+        if path.suffix in PACKED:
+            content = gzip.compress(content, 9)
+            self.send_header("Content-Encoding", "gzip")
+        self.send_header("Content-Length", str(len(content)))
+        self.end_headers()
+        self.wfile.write(content)
+
+    def log_message(self, *arguments):
+        pass
+
+
+@contextlib.contextmanager
+def packing_host(folder):
+    handler = functools.partial(Packing, directory=str(folder))
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}"
+        server.shutdown()
+
+
+def first_view(browser, address):
+    """(bytes, requests, shift of the layout) of a page in a browser that was never there."""
+    context = browser.new_context(service_workers="block", **PHONE)
+    page = context.new_page()
+    page.add_init_script(SHIFTS)
+    network = context.new_cdp_session(page)
+    network.send("Network.enable")
+    fetched = []
+    network.on("Network.loadingFinished", lambda event: fetched.append(event["encodedDataLength"]))
+    page.goto(address, wait_until="networkidle")
+    page.evaluate("document.fonts.ready.then(() => true)")
+    shifted = page.evaluate("shifted")
+    context.close()
+    return sum(fetched), len(fetched), shifted
