@@ -212,6 +212,37 @@ def test_data_that_cannot_be_used_is_refused_in_a_sentence(bundle):
             shown(bundle, **state, **pasted(columns))
 
 
+# --- what is brought ----------------------------------------------------------------------------
+
+
+def test_dates_become_days(bundle):
+    days = "\n".join(f"2024-03-{day:02};{20 + day % 3}" for day in range(1, 25))
+    page = shown(bundle, text=f"tanggal;suhu\n{days}")
+    np.testing.assert_allclose(page["t"], np.arange(24), atol=1e-9)
+    assert "suhu" in page["note"] and "tanggal (d)" in page["note"]
+
+
+def test_a_code_for_missing_is_a_gap_and_equal_times_are_averaged(bundle):
+    rows = [(k, 5.5 + k % 2) for k in range(12)] + [(12, -999), (13, 6), (13, 8)]
+    text = "# logger 7\nt (s),z (m)\n" + "\n".join(f"{t},{z}" for t, z in rows)
+    page = shown(bundle, pattern=2, text=text)
+    assert np.isnan(page["y"][12, 0]) and len(page["x"]) == 14
+    assert page["y"][13, 0] + page["x"][12, 0] == pytest.approx(7)
+
+
+def test_a_recording_of_the_phone_is_a_table(bundle):
+    T = 40
+    t = np.cumsum(np.full(T, 0.02))
+    acc = np.arange(3.0 * T)
+    motion = dict(T=T, t=(t - t[0]).tolist(), acc=acc.tolist(), gyr=(-acc).tolist(), live=False)
+    page = shown(bundle, pattern=2, motion=motion)
+    z = page["y"][1:, 0] + page["x"][:-1, 0]
+    np.testing.assert_allclose(z, acc[3::3], rtol=1e-9)  # acc x
+    page = shown(bundle, pattern=2, second=2, motion=motion, axis="acc z", value2="gyr y")
+    np.testing.assert_allclose(page["y"][1:, 0] + page["x"][:-1, 0], acc[5::3], rtol=1e-9)
+    np.testing.assert_allclose(page["y"][1:, 1] + page["x"][:-1, 0], -acc[4::3], rtol=1e-9)
+
+
 def test_a_scalar_model_agrees_with_a_hand_made_one(bundle):
     """Beside the module itself: the random walk with a known input, by the core alone."""
     data = own_data(Params(pattern=2, second=5, q=1))

@@ -31,6 +31,8 @@ WORDS = {
         pattern="Bagaimana besaran itu berubah?",
         second="Kolom kedua dari data",
         column="Kolom kedua",
+        bias="Bias kolom kedua",
+        likely_passes="Dengan derau yang paling mungkin filter ini lulus",
         gate="gerbang",
         code="Unduh kode itu",
         csv="Unduh data",
@@ -47,6 +49,8 @@ WORDS = {
         pattern="How does the quantity change?",
         second="The second column of the data",
         column="The second column",
+        bias="Bias of the second column",
+        likely_passes="With the most likely noise the filter passes",
         gate="gate",
         code="Download that code",
         csv="Download the data",
@@ -186,6 +190,46 @@ def test_own_data_from_the_table_to_the_program(builder, tmp_path):
     for name in ("x", "P"):
         ours, theirs = builder.numbers(name), result[name].ravel()
         assert (np.abs(ours - theirs) <= 1e-9 * (1 + np.abs(theirs))).all()
+
+
+def tank():
+    """A fifth problem (synthetic): minutes, a float with 5 % outliers, the inflow in litres a
+    minute. Twenty litres are 4 cm, and 0.9 cm a minute leave the tank unseen. -> t, level, table"""
+    rng = np.random.default_rng(11)
+    t = np.arange(240.0)
+    inflow = np.where(t // 40 % 2 == 0, 12.0, 2.0)
+    level = 60 + np.cumsum(0.2 * inflow - 0.9 + rng.normal(0, 0.15, 240))
+    z = level + rng.normal(0, 1, 240)
+    wild = rng.random(240) < 0.05
+    z[wild] += rng.choice([-1, 1], wild.sum()) * rng.uniform(8, 25, wild.sum())
+    z[100:112] = np.nan
+    return level, {"minutes": t, "level (cm)": z, "inflow (L/min)": inflow}
+
+
+def test_a_tank_is_built_by_clicks(builder):
+    """Its level from the float and the flow; what nobody measures, the outflow, is the bias."""
+    level, table = tank()
+    builder.group(1)
+    builder.element.locator("textarea[id$='-text']").fill(as_text(table))
+    shown(builder.element)
+    builder.group(2)
+    builder.choose("pattern", "2")
+    builder.choose("second", "5")
+    builder.choose("bias", "1")
+    builder.group(1)
+    builder.fill("factor", "0,2")
+    builder.group(3)
+    builder.choose("likely", "true")
+    builder.group(4)
+    builder.check("gate")
+    assert builder.words["likely_passes"] in builder.says()
+    x = builder.numbers("x").reshape(-1, 2)
+    left = builder.numbers("gated").astype(bool)
+    error = np.sqrt(np.mean((x[5:, 0] - level[5:]) ** 2))
+    sensor = np.sqrt(np.nanmean((table["level (cm)"] - level) ** 2))
+    assert error < sensor / 5 and 8 <= left.sum() <= 16
+    sigma = np.sqrt(builder.numbers("P")[-1])
+    assert abs(x[-1, 1] - 0.9) < 2 * sigma < 0.1
 
 
 def test_own_matrices_and_what_is_wrong_with_them(builder):

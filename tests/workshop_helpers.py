@@ -21,11 +21,15 @@ SHOWN = (
     + START
     + """
   const { papers: { workshop: _ }, speaker: { speaker } } = KalmanExplorers;
+  const floats = m => ({ ...m, t: Float64Array.from(m.t), acc: Float64Array.from(m.acc),
+    gyr: Float64Array.from(m.gyr) });
+  if (changes.motion) changes.motion = floats(changes.motion);
   const s = { ...start, ...changes }, r = view.compute(s, {}), t = speaker('en');
   if (changes.likely || changes.search) for (const step of view.refine(r, s));
   const plain = values => Array.from(values, v => Number.isNaN(v) ? null : v);
-  const { n, m, x, P, y, S, nis } = r.result;
-  return { n, m, x: plain(x), P: plain(P), y: plain(y), S: plain(S), found: r.found?.values ?? null,
+  const { n, m, x, P, y, S } = r.result;
+  return { n, m, t: plain(r.data.t), note: r.data.note.en,
+    x: plain(x), P: plain(P), y: plain(y), S: plain(S), found: r.found?.values ?? null,
     gated: Array.from(r.result.gated), verdict: view.outcome(r, s, t), nis: r.judged.nis,
     white: r.judged.white.map(w => ({ ...w, correlation: plain(w.correlation) })),
     kalman: _.kalmanCode(r, s, t), filterpy: _.filterpyCode(r, s, t), csv: _.csvText(r) };

@@ -66,7 +66,7 @@ function columnChoice(name, first, visible) {
 
 const dataControls = [
   ...brought,
-  sensorControl({ name: "motion", visible: inGroup("data") }),
+  sensorControl({ name: "motion", visible: inGroup("data", (s) => Boolean(s.motion) || isMadeUp(s)) }),
   columnChoice("axis", CONTROLS.first_axis, (s) => Boolean(s.motion)),
   columnChoice("value2", CONTROLS.next_column, (s) => isOwn(s) && wantsSecond(s)),
   {
@@ -162,8 +162,6 @@ function keep(s, { found }) {
 }
 
 const byHand = (s) => !s.likely;
-const noise = { min: 1e-6, max: 1e6 };
-
 const noiseControls = [
   {
     kind: "select",
@@ -179,15 +177,12 @@ const noiseControls = [
   {
     name: "q",
     symbol: "q",
-    min: 1e-9,
-    max: 1e3,
     visible: inGroup("noise", (s) => byHand(s) && s.pattern !== PATTERN.CONSTANT),
   },
-  { name: "R", symbol: "R", ...noise, visible: inGroup("noise", byHand) },
+  { name: "R", symbol: "R", visible: inGroup("noise", byHand) },
   {
     name: "R2",
     symbol: "R_2",
-    ...noise,
     visible: inGroup("noise", (s, r) => byHand(s) && r?.data.m > 1),
   },
   {

@@ -70,9 +70,9 @@ export function columnsFrom(s, needsSecond) {
     throw new InputError(WRONG.short);
   }
   const [unit, scaled] = inLongUnits(t, table.units[time]);
-  const words = { value, time: time ?? "k", unit: unit ? ` (${unit})` : "", other };
+  const words = { value, other, time: time ?? "k", unit: unit ? ` (${unit})` : "" };
   const taken = inBoth(needsSecond ? NOTES.taken_two : NOTES.taken, words);
-  return { t: scaled, first: z, second, note: joined([table.note, ...notes.map(ended), taken]) };
+  return { t: scaled, first: z, second, note: joined([...notes.map(ended), taken, table.note]) };
 }
 
 /** Times in seconds with long steps are told in hours or days: then no number is tiny. */

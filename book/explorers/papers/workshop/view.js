@@ -5,7 +5,7 @@ import { load } from "./data.js";
 import { evaluate, mostLikely } from "./estimate.js";
 import { band, column, plots } from "./figures.js";
 import { isUnlikely } from "./judge.js";
-import { PATTERN, hasBias } from "./model.js";
+import { PATTERN, hasBias, model } from "./model.js";
 import { question } from "./questions.js";
 import { verdict } from "./verdict.js";
 import { FACTS, NAME, OUTCOME } from "./words.js";
@@ -65,7 +65,10 @@ function outcome(r, s, t) {
   if (r.found && r.found.rows < r.T && s.likely) {
     sentences.push(t.say(OUTCOME.cut, { rows: String(r.found.rows) }));
   }
-  return [...sentences, t.say(r.data.note)].filter(Boolean).join(" ");
+  if (r.data.truth || s.group === "data") {
+    sentences.push(t.say(r.data.note)); // made-up data is always called so
+  }
+  return sentences.filter(Boolean).join(" ");
 }
 
 function facts(r, s, t) {
@@ -116,9 +119,10 @@ function againstTruth({ data, first, result, average, z }, t) {
   return [[t.say(FACTS.rmse), far(first.x), rival]];
 }
 
-/** The matrices of a step. */
+/** The matrices of a step, and where the filter starts. */
 function equations(r, s, t) {
-  const { n, m, F, H, Q } = r.result;
+  const { n, m, F, H, Q, R } = r.result;
+  const { x0, P0 } = model(r.p, r.data.dt, r.data.F, r.data.H);
   const last = F.length - n * n;
   const rows = (values, height, width) =>
     Array.from({ length: height }, (_, i) =>
@@ -127,8 +131,15 @@ function equations(r, s, t) {
   const Q_last = Q.length > n * n ? Q.subarray(Q.length - n * n) : Q;
   return [
     ["F =", { matrix: rows(F.subarray(last), n, n) }, "Q =", { matrix: rows(Q_last, n, n) }],
-    ["H =", { matrix: rows(H, m, n) }],
+    ["H =", { matrix: rows(H, m, n) }, "R =", { matrix: rows(diagonal(R), m, m) }],
+    ["x_0 =", { matrix: rows(x0, n, 1) }, "P_0 =", { matrix: rows(P0, n, n) }],
   ];
+}
+
+/** The matrix with these variances. */
+function diagonal(values) {
+  const m = values.length;
+  return Float64Array.from({ length: m * m }, (_, i) => (i % (m + 1) === 0 ? values[i % m] : 0));
 }
 
 function numbers(r, s, t) {
