@@ -35,14 +35,19 @@ def peers(name):
     c = case(name)
     if name == "bus":
         model = c.found.model
-        return (c.kf.x, c.kf.P), by_filterpy(model, c.z), by_statsmodels(model, c.z), c.ride.x
+        return (
+            (c.kf.x, c.kf.P),
+            by_filterpy(model, c.z_bus),
+            by_statsmodels(model, c.z_bus),
+            c.ride.x,
+        )
     if name == "room":
         ours = c.gated
         theirs = by_filterpy(c.room, c.z_room, limit=GATE)
         left = np.where(ours.gated, np.nan, c.z_room)
         return (ours.x, ours.P), theirs, by_statsmodels(c.room, left), c.day.x
     if name == "gps":
-        ours, z, u = c.kf, c.z, c.u
+        ours, z, u = c.kf, c.z_gps, c.u
         return (ours.x, ours.P), by_filterpy(c.car, z, u), by_statsmodels(c.car, z, u), c.trip.x
     return battery_peers(c)
 

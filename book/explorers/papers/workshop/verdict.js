@@ -9,6 +9,9 @@ const SHUT = 0.15; // the share of measurements that are no outliers any more if
 /** The sentences about the filter of r: does it fit, and if not, why? */
 export function verdict(r, s, t) {
   const { judged, found } = r;
+  if (s.likely && !found) {
+    return [t.say(VERDICT.searching_noise)];
+  }
   if (r.lefts > SHUT * (r.lefts + judged.dof)) {
     return [t.say(VERDICT.shut)];
   }

@@ -191,6 +191,10 @@ export const VERDICT = {
     id: "Inovasinya belum putih: yang satu masih meramalkan yang berikutnya (NIS {nis}).",
     en: "Its innovations are not white: one still foretells the next (NIS {nis}).",
   },
+  searching_noise: {
+    id: "Derau yang paling mungkin sedang dicari.",
+    en: "The most likely noise is being looked for.",
+  },
   searching: { id: "Sebabnya sedang dicari.", en: "The cause is being looked for." },
   too_small: {
     id: "{noise} {factor} kali terlalu kecil.",
