@@ -242,6 +242,8 @@ REFUSED = [
     ("a\nb", {}, "no column of numbers", "Tidak ada kolom bilangan"),
     ("1\nx\n3", {}, "Line 2, column '1': 'x'", "Baris 2, kolom '1': 'x'"),
     ("1\nx", {}, "Line 2, column '1': 'x'", "Baris 2, kolom '1': 'x'"),
+    ("1\n2 3 4", {}, "'2 3 4' is neither", "'2 3 4' bukan"),
+    ("1\n=cmd|' /C calc'!A0", {}, "Line 2", "Baris 2"),
     ("12.34.5\n1", {}, "Line 1, column '1': '12.34.5'", "Baris 1, kolom '1'"),
     ("1\n#DIV/0!\n3", {}, "'#DIV/0!' is neither", "'#DIV/0!' bukan"),
     ("a;b\n0,5;12.34\n", {}, "'12.34' in line 2, '0,5' in line 2", "'12.34' di baris 2"),
@@ -265,7 +267,7 @@ REFUSED = [
 
 HUGE = {
     "rows": lambda: "1\n" * 1_000_000,
-    "bytes": lambda: "1.23456789;" * 3 + "1\n" + "1.23456789;1;2;3\n" * 3_000_000,
+    "bytes": lambda: "1.23456789;" * 3 + "1\n" + "1.23456789;1;2;3\n" * 1_000_000,
     "columns": lambda: ";".join(["x"] * 100_000) + "\n" + ";".join(["1"] * 100_000),
     "equal names": lambda: ";".join(["x"] * 900) + "\n" + ";".join(["1"] * 900),
     "blanks in a header": lambda: "a" + " " * 200_000 + "b\n1\n2",

@@ -80,7 +80,7 @@ function makeSelect(explorer, control) {
 }
 
 function makeEntry(explorer, control) {
-  const id = `${explorer.id}-entry`;
+  const id = `${explorer.id}-${control.key ?? "entry"}`;
   const box = make("input", {
     type: "text",
     id,

@@ -192,6 +192,7 @@ function readingControls(all, visible) {
     }),
     {
       kind: "entry",
+      key: "codes",
       ...all.other_codes,
       inputMode: "text",
       button: all.take_codes,
