@@ -94,6 +94,8 @@ def print_sizes():
     for file in sorted(folder.iterdir()):
         sizes[file.name] = len(gzip.compress(file.read_bytes(), 9)) / 1000
     core = sizes.pop("core.js") + sizes.pop("core.css")
+    rooms = {room: sizes.pop(f"{room}.js") for room in ("files", "sensors")}
+    print("gzip of what only some papers use:", rooms)
     print(
         f"gzip: the core {core:.1f} kB, and with one paper (of 45 kB):",
         ", ".join(f"{name.removesuffix('.js')} {core + size:.1f}" for name, size in sizes.items()),
