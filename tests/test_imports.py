@@ -35,7 +35,7 @@ ALLOWED = {
         {"models", "metrics", "simulate", "filters", "fast", "tuning", "montecarlo"},
         set(),
     ),
-    "data": (set(), NUMERICS | {"openpyxl"}),
+    "data": (set(), NUMERICS | {"openpyxl", "xlrd"}),
     "plots": ({"metrics", "models", "papers"}, NUMERICS | {"matplotlib", "PIL"}),
     "live": ({"data", "fast", "filters", "papers", "plots"}, NUMERICS),
     "exercises": ({"live"}, NUMERICS | {"IPython"}),  # IPython only where it runs already
@@ -134,6 +134,7 @@ def test_importing_the_package_loads_no_heavy_library():
         "traitlets",
         "scipy",
         "openpyxl",
+        "xlrd",
         "IPython",
         "tqdm",
         "concurrent.futures",

@@ -81,8 +81,10 @@ def no_sensor(place, names):
     """The NoSensor that tells which headers were not understood."""
     shown = ", ".join(quoted(name) for name in names[:4])
     return NoSensor(
-        f"{place}: no column is one of a sensor, such as 'Gyroscope x (rad/s)'; it has {shown}.",
-        f"{place}: tidak ada kolom sensor, misalnya 'Gyroscope x (rad/s)'; kolomnya {shown}.",
+        f"{place}: none of its columns is needed ({shown}); a sensor's are called for example "
+        "'Gyroscope x (rad/s)'.",
+        f"{place}: tidak ada kolom yang diperlukan ({shown}); kolom sensor bernama misalnya "
+        "'Gyroscope x (rad/s)'.",
     )
 
 

@@ -15,7 +15,7 @@ from .angles import tilt_against
 from .archives import open_files
 from .axes import AXES as AXES
 from .axes import body_axes, tell_axes, tell_usual_axes
-from .csvs import NoSensor, sheets_of
+from .csvs import NoSensor, no_sensor, sheets_of
 from .dip import tell_dip
 from .resample import rate_of, resample
 from .sensors import check_magnitudes, device_of, is_apple, total_acceleration
@@ -111,10 +111,13 @@ def _signals_and_device(tables, notes):
             device = device_of(content)
             continue
         try:
-            found = [one for sheet in sheets_of(name, content) for one in signals_in(sheet, notes)]
+            sheets = sheets_of(name, content)
         except NoSensor as error:
             useless.append(error)
             continue
+        found = [signal for sheet in sheets for signal in signals_in(sheet, notes)]
+        if not found:
+            useless.append(no_sensor(sheets[0].place, sheets[0].names))
         for signal in found:
             keep(signals, signal)
     _tell_useless(useless, signals, notes)

@@ -223,8 +223,8 @@ def _check_times(signal):
             "s.",
             f"{place}, baris {line}: waktu {id} tidak bertambah, {now} s sesudah {before} s.",
         )
-    step = np.median(np.diff(signal.t))
-    if not step > SHORTEST:
+    steps = np.diff(signal.t)
+    if not (steps > 0).any() or np.median(steps[steps > 0]) < SHORTEST:
         raise InputError(
             f"{place}: the times of the {en} hardly differ; is their unit right?",
             f"{place}: waktu {id} hampir tidak berbeda; apakah satuannya benar?",
