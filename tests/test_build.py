@@ -6,7 +6,8 @@ import sys
 import pytest
 from conftest import ROOT
 
-sys.path[:0] = [str(ROOT / "book"), str(ROOT / "book" / "_make")]
+sys.path.insert(0, str(ROOT / "book" / "_make"))
+sys.path.insert(0, str(ROOT / "book"))
 import assemble
 import build
 import changes
