@@ -38,7 +38,7 @@ try:
     import jupyter_book  # noqa: F401  (these two only to see that they are there)
     import offline
     import yaml
-    from assemble import PDFS, assemble, remove_old_pictures  # noqa: F401  (a test asks for the second)
+    from assemble import PDFS, assemble
     from changes import fingerprint, frame, is_new
     from chapters import execute_notebooks
     from filelock import FileLock

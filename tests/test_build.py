@@ -6,7 +6,9 @@ import sys
 import pytest
 from conftest import ROOT
 
+sys.path.insert(0, str(ROOT / "book" / "_make"))
 sys.path.insert(0, str(ROOT / "book"))
+import assemble
 import build
 import changes
 import chapters
@@ -75,5 +77,5 @@ def test_pictures_that_no_page_shows_are_removed(tmp_path):
     for name in ("old.png", "new.png"):
         (tmp_path / "_images" / name).write_bytes(b"")
     (tmp_path / "page.html").write_text('<img src="_images/new.png">', encoding="utf-8")
-    build.remove_old_pictures(tmp_path)
+    assemble.remove_old_pictures(tmp_path)
     assert [path.name for path in (tmp_path / "_images").iterdir()] == ["new.png"]

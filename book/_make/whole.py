@@ -99,7 +99,11 @@ class Page:
             for part in self.article.find_all(attrs={key: True}):
                 part[key] = " ".join(f"{mine}--{name}" for name in part[key].split())
         for link in self.article.find_all("a", href=True):
-            link["href"] = self.address(link["href"])
+            address = self.address(link["href"])
+            if address is None:
+                link.unwrap()
+            else:
+                link["href"] = address
         for picture in self.article.find_all("img", src=True):
             picture["src"] = self.place(picture["src"])
             picture["loading"] = "eager"
@@ -116,9 +120,12 @@ class Page:
         return "/".join(parts)
 
     def address(self, href):
+        """The place in the whole; None: a picture or a download, which paper does not open."""
         if href.startswith(("http:", "https:", "mailto:")):
             return href
         page, _, name = href.partition("#")
+        if page and not page.endswith(".html"):
+            return None
         target = self.place(page).removesuffix(".html") if page else self.name
         return f"#{slug(target)}--{name}" if name else f"#{slug(target)}"
 
