@@ -17,11 +17,11 @@ from conftest import ROOT, listen
 from recipe import toy_notebook
 
 HERE = Path(__file__).resolve().parent / "recipe"
-NOTEBOOK = "notebooks/07_toy.ipynb"
+NOTEBOOK = "notebooks/08_toy.ipynb"
 WRITTEN = {"kalman_lib/papers/toy.py", "tests/test_toy.py", NOTEBOOK, "_toc.yml"}
 EXPLORER = "book/explorers/papers/toy/"
 BY_MAKE_LISTS = {"README.md", "book/intro.md"}
-LAST_CHAPTER = "      - file: notebooks/06_quadrotor\n"
+LAST_CHAPTER = "      - file: notebooks/07_workshop\n"
 
 
 def sources():
@@ -57,8 +57,8 @@ def add_the_toy(copy):
     shutil.copytree(HERE / "toy", copy / EXPLORER)
     toy_notebook.write(copy / NOTEBOOK)
     contents = copy / "_toc.yml"
-    line = LAST_CHAPTER.replace("06_quadrotor", "07_toy")
-    text = re.sub(r"(notebooks/06_quadrotor\n(?: {8}.*\n)*)", rf"\1{line}", contents.read_text())
+    line = LAST_CHAPTER.replace("07_workshop", "08_toy")
+    text = re.sub(r"(notebooks/07_workshop\n(?: {8}.*\n)*)", rf"\1{line}", contents.read_text())
     contents.write_text(text)
 
 

@@ -97,7 +97,7 @@ def code(name, source, **metadata):
 
 def exercise_cells():
     for number, (text, about) in enumerate(exercises(), start=1):
-        label = f"7.{number}"
+        label = f"8.{number}"
         words = {
             "id": f"**Latihan {label}.** {text['id']}",
             "en": f"**Exercise {label}.** {text['en']}",
