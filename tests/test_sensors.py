@@ -226,3 +226,22 @@ def test_quadrotor_the_accelerometer_is_deceived_by_a_push_and_the_filter_hardly
     assert gyro == 0 and acc == pytest.approx(-np.degrees(np.arctan2(5, 9.8)), abs=0.1)
     assert -8 < filtered < 0
     assert "Without a compass" in said
+
+
+def test_quadrotor_a_recording_is_replayed_in_its_own_time_to_its_end(phone_page):
+    element = explorer(phone_page, "quadrotor")
+    record(element, readings(np.arange(101) / 50, 0, UP))
+    seconds = element.evaluate("""e => {
+      const { controls, s } = e.explorer;
+      const items = controls.flatMap(control => control.items ?? []);
+      return items.find(item => item.play === 'when').seconds(s);
+    }""")
+    assert seconds == 2
+    phone_page.emulate_media(reduced_motion="no-preference")
+    set_state(element, when=0.1)
+    tap(element, "Replay")
+    handle = element.element_handle()
+    phone_page.wait_for_function(
+        "e => e.explorer.playing === null && e.explorer.r.k === 100", arg=handle
+    )
+    assert element.evaluate("e => e.explorer.s.when") == 2

@@ -62,7 +62,7 @@ def test_a_recording_is_kept_replayed_in_another_chapter_with_other_settings_and
     assert not np.allclose(one, two)
     tap(other, "Forget what is kept")
     assert not box.is_visible() and phone_page.evaluate("localStorage.length") == 0
-    tap(other, "Back to the synthetic data")
+    tap(other, "Close the recording")
     shown(other)
     assert other.evaluate("e => e.explorer.s.motion === null && e.explorer.r.x.length === 200")
 
@@ -157,7 +157,7 @@ REFUSED = {
     "insecure": {"en": "to https pages only", "id": "hanya kepada halaman https"},
 }
 KEEP = {"en": "Keep on this phone", "id": "Simpan di ponsel ini"}
-BACK = {"en": "Back to the synthetic data", "id": "Kembali ke data sintetis"}
+BACK = {"en": "Close the recording", "id": "Tutup rekaman"}
 SYNTHETIC = {"en": "A synthetic recording: 30 s", "id": "Rekaman sintetis: 30 s"}
 
 

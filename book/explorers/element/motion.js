@@ -62,7 +62,8 @@ export function play(explorer, item) {
     return;
   }
   explorer.playing = item.play;
-  playFrom(explorer, control, atEnd ? control.min : now, item.seconds || PLAY_SECONDS);
+  const seconds = typeof item.seconds === "function" ? item.seconds(explorer.s) : item.seconds;
+  playFrom(explorer, control, atEnd ? control.min : now, seconds || PLAY_SECONDS);
 }
 
 function playFrom(explorer, control, start, seconds) {

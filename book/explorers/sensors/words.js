@@ -4,7 +4,7 @@ export const SENSORS = {
   name: { id: "Sensor ponsel ini", en: "This phone's sensors" },
   start: { id: "Pakai sensor ponsel ini", en: "Use this phone's sensors" },
   stop: { id: "Berhenti", en: "Stop" },
-  back: { id: "Kembali ke data sintetis", en: "Back to the synthetic data" },
+  back: { id: "Tutup rekaman", en: "Close the recording" },
   keep: { id: "Simpan di ponsel ini", en: "Keep on this phone" },
   forget: { id: "Hapus simpanan", en: "Forget what is kept" },
   save: { id: "Unduh CSV", en: "Download CSV" },

@@ -141,7 +141,11 @@ export const controls = [
     visible: hasPhone,
   },
   { kind: "check", name: "compass", default: true, ...PHONE.use_compass, visible: hasPhone },
-  { kind: "buttons", items: [{ play: "when", seconds: 20, ...PHONE.play }], visible: isRecorded },
+  {
+    kind: "buttons",
+    items: [{ play: "when", seconds: (s) => lastTime(s.motion), ...PHONE.play }],
+    visible: isRecorded,
+  },
   sensorControl({
     name: "motion",
     example: exampleMotion,
