@@ -93,3 +93,39 @@ def test_a_file_that_the_browser_cannot_read_is_told(form):
     }""")
     words = {"id": "tidak dapat dibaca", "en": "cannot read"}[language]
     element.locator(".explorer-message").filter(has_text=words).wait_for()
+
+
+# --- numbers in fields ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "text, language, value",
+    [
+        ("100.000", "en", 100),
+        ("100,000", "id", 100),
+        ("100.000", "id", ("dapat berarti 100000 atau 100,000", "may mean 100000 or 100,000")),
+        ("1,000", "en", ("dapat berarti 1000 atau 1.000", "may mean 1000 or 1.000")),
+        ("0.125", "id", 0.125),
+        ("1.5", "id", 1.5),
+        ("1.000.000", "id", 1e6),
+        ("1.234,5", "id", 1234.5),
+        ("1,234.5", "en", 1234.5),
+        ("10 000", "id", 1e4),
+        ("1\u00a0234,5", "en", 1234.5),
+        ("\u22122,5", "en", -2.5),
+        ("1,2,3", "id", ("bukan bilangan", "is not a number")),
+        ("9" * 30000 + "x", "id", ("bukan bilangan", "is not a number")),
+    ],
+)
+def test_a_thousand_in_a_field_is_known_or_asked_about(text, language, value, bundle):
+    answer = bundle.evaluate(
+        """([text, language]) => {
+          try { return KalmanExplorers.input.number(text, language); }
+          catch ({ id, en }) { return [id, en]; }
+        }""",
+        [text, language],
+    )
+    if isinstance(value, tuple):
+        assert all(part in said for part, said in zip(value, answer))
+    else:
+        assert answer == value

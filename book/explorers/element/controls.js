@@ -89,7 +89,7 @@ function makeEntry(explorer, control) {
     className: "explorer-value",
   });
   const enter = () => {
-    explorer.change(control.enter(box.value, explorer.s, explorer.r));
+    explorer.change(control.enter(box.value, explorer.s, explorer.r, explorer.t));
     box.value = "";
   };
   box.addEventListener("keydown", (event) => {
