@@ -175,8 +175,6 @@ def test_own_data_from_the_table_to_the_program(builder, tmp_path):
     builder.choose("column", "w")
     builder.group(4)
     builder.check("gate")
-    builder.group(3)
-    builder.choose("likely", "true")
     assert "NIS" in builder.says() and builder.numbers("gated").sum() > 5
     builder.group(5)
     builder.download("code", tmp_path)
@@ -218,8 +216,6 @@ def test_a_tank_is_built_by_clicks(builder):
     builder.choose("bias", "1")
     builder.group(1)
     builder.fill("factor", "0,2")
-    builder.group(3)
-    builder.choose("likely", "true")
     builder.group(4)
     builder.check("gate")
     assert builder.words["likely_passes"] in builder.says()

@@ -40,7 +40,7 @@ function dataLines({ data, p }, isTable) {
     return lines;
   }
   const even = isTable ? `np.full(len(z), ${p.dt})` : `${p.dt}`;
-  return [...lines, data.dt ? 'dt = data["dt"]  # s' : `dt = ${even}  # s`];
+  return [...lines, data.dt ? 'dt = data["dt"]' : `dt = ${even}`];
 }
 
 /** H, R, x0 and P0. */

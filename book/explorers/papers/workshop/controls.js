@@ -48,7 +48,7 @@ function rowsOfH(s) {
 const brought = ownControls({
   words: { text: CONTROLS.text, placeholder: CONTROLS.placeholder, value: CONTROLS.value },
   visible: (s) => isOwn(s) && !s.motion,
-  also: { motion: null, value2: "" },
+  also: { motion: null, value2: "", likely: true }, // what suits made-up data suits no other
   time: true,
 }).map((control) => ({ ...control, visible: inGroup("data", control.visible) }));
 
@@ -88,7 +88,7 @@ const dataControls = [
   },
   {
     kind: "buttons",
-    items: [{ ...CONTROLS.back, set: { motion: null, text: null, file: null } }],
+    items: [{ ...CONTROLS.back, set: { motion: null, text: null, file: null, likely: false } }],
     visible: inGroup("data", isOwn),
   },
   {
