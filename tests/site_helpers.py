@@ -60,6 +60,9 @@ class Reader(html.parser.HTMLParser):
         attributes = dict(attributes)
         self.ids |= {attributes[name] for name in ("id", "name") if attributes.get(name)}
         self.links += [attributes[name] for name in ("href", "src") if attributes.get(name)]
+        if tag == "kalman-explorer":  # "gyro.drift:" leads to it, with settings behind the colon
+            names = (attributes["paper"], attributes.get("view"))
+            self.ids.add(".".join(filter(None, names)) + ":")
 
 
 def pages_of(site):

@@ -32,7 +32,8 @@ NOT_ON_PAPER = (
     "script, form, a.headerlink, .exercise-progress, .exercise-verdict, .exercise-hints, "
     ".toctree-wrapper, details:not(.exercise-solution), .cell.tag_hide-cell"
 )
-LEFT_OUT = {"book/exercises"}  # the exercises stand in their chapters
+# The exercises stand in their chapters; what is for lecturers leads to live figures
+LEFT_OUT = {"book/exercises", "book/teaching"}
 TALL = 0.8  # height by width: panels above each other
 
 
