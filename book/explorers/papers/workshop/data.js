@@ -1,4 +1,4 @@
-// The data of the workshop: made up by the pattern that was chosen, or what the reader brought.
+// The data of the workshop: made up, or what the reader brought.
 import { InputError } from "../../language/input.js";
 import { inBoth } from "../../language/speaker.js";
 import { generator } from "../../numerics/random.js";
@@ -23,7 +23,7 @@ const KEYS = [
 ];
 
 /**
- * {t (T), dt (T) or null, z (T m), u (T) or null, truth (T n) or null, F, H, x0, P0, note}: the data that is
+ * {t (T), dt (T) or null, z (T m), u (T) or null, truth (T states) or null, F, H, x0, P0, note}: the data that is
  * shown, and where its filter starts; memo keeps it while nothing about it changes.
  */
 export function load(s, memo) {
@@ -51,8 +51,12 @@ function startOf(s, { z, m }) {
 
 // --- made up -----------------------------------------------------------------------------------------------
 
+/** A filter may have the wrong pattern: the data of a single quantity moves by the same one, always. */
 function madeUp(s, { F, H }) {
-  const truth = { ...s, q: TRUE_Q[s.pattern], R: TRUE_R, R2: TRUE_R2, x0: 0, P0: 1 };
+  const isSingle =
+    (s.second === SECOND.NONE || (s.second === SECOND.ITSELF && !s.bias)) && s.pattern !== PATTERN.OWN;
+  const pattern = isSingle ? PATTERN.VELOCITY : s.pattern;
+  const truth = { ...s, pattern, q: TRUE_Q[pattern], R: TRUE_R, R2: TRUE_R2, x0: 0, P0: 1 };
   const { z, x, u } = simulate(truth, generator(s.seed), STEPS, F, H);
   const m = z.length / STEPS;
   if (s.dirty) {
@@ -63,7 +67,8 @@ function madeUp(s, { F, H }) {
   }
   const dt = s.pattern === PATTERN.OWN ? 1 : s.dt;
   const t = Float64Array.from({ length: STEPS }, (_, k) => (k + 1) * dt);
-  return { t, dt: null, z, m, u, truth: x, note: NOTES.made_up };
+  const note = isSingle ? NOTES.made_up : NOTES.made_up_so;
+  return { t, dt: null, z, m, u, truth: x, states: x.length / STEPS, note };
 }
 
 function addOutliers(z, m, rng) {

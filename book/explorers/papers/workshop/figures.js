@@ -42,7 +42,7 @@ function drawEstimate(r, s) {
       { look: "band", x: t, low: first.low, high: first.high, label: "±2√P" },
       isSecondSensor && { look: "smooth", x: t, y: column(data.z, 2, 1), label: "z_2" },
       { look: "measurement", x: t, y: r.z, label: "z" },
-      data.truth && { look: "truth", x: t, y: column(data.truth, r.result.n, 0), label: "x_true" },
+      data.truth && { look: "truth", x: t, y: column(data.truth, data.states, 0), label: "x_true" },
       average && { look: "rival", x: t, y: average, label: LABELS.average },
       { look: "estimate", x: t, y: first.x, label: "x" },
       r.left.length > 0 && { look: "rival", sign: "×", mark: r.left[0], label: LABELS.left },
@@ -57,10 +57,10 @@ function drawRate(r) {
   const { x, low, high } = band(r, 1);
   const settled = x.subarray(result.n);
   return {
-    ylim: limitsOf(settled, data.truth ? column(data.truth, result.n, 1) : settled),
+    ylim: limitsOf(settled, data.truth ? column(data.truth, data.states, 1) : settled),
     layers: [
       { look: "band", x: data.t, low, high, label: "±2√P" },
-      data.truth && { look: "truth", x: data.t, y: column(data.truth, result.n, 1), label: "x_true" },
+      data.truth && { look: "truth", x: data.t, y: column(data.truth, data.states, 1), label: "x_true" },
       { look: "estimate", x: data.t, y: x, label: "x_2" },
     ],
   };

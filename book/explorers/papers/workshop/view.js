@@ -111,7 +111,7 @@ function againstTruth({ data, first, result, average, z }, t) {
   if (!data.truth) {
     return [];
   }
-  const truth = column(data.truth, result.n, 0);
+  const truth = column(data.truth, data.states, 0);
   const known = Array.from(z.keys()).filter((k) => k >= result.n && !Number.isNaN(z[k]));
   const of = (values) => known.map((k) => values[k]);
   const far = (values) => t.decimal(rmse(of(truth), of(values))[0]);

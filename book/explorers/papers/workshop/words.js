@@ -28,6 +28,10 @@ export const SECONDS = {
 
 export const NOTES = {
   made_up: {
+    id: "Datanya sintetis: kecepatannya hampir konstan, q = 0,01 dan R = 9.",
+    en: "The data is synthetic: its velocity is nearly constant, q = 0.01 and R = 9.",
+  },
+  made_up_so: {
     id: "Datanya sintetis, dibuat menurut pola itu.",
     en: "The data is synthetic, made by that pattern.",
   },
