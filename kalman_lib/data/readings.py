@@ -119,6 +119,8 @@ def _between_commas(best, readings, decimal):
     """The best reading, unless commas may as well be decimal ones; then the remark says so."""
     if best.name == "comma and blank":
         return best.name, _remark(best)
+    if best.name == "comma" and not decimal and not best.fits and _are_open(best.rows):
+        raise _either(best.lines[0], ",".join(best.rows[0]))
     comma, lines = readings.get("comma"), readings.get("lines")
     if best.name not in ("comma", "lines") or not comma or not lines or decimal:
         return best.name, NO_REMARK
@@ -128,6 +130,14 @@ def _between_commas(best, readings, decimal):
     return "lines", _remark(lines)
 
 
+def _are_open(rows):
+    """Times and two whole numbers: 10:00,21,5 may end with 21.5."""
+    return all(
+        len(row) == 3 and not is_number(row[0]) and row[1].isdecimal() and row[2].isdecimal()
+        for row in rows
+    )
+
+
 def _remark(reading):
     """That commas were taken for decimal ones; InputError where that is not certain."""
     cells = [cell for row in reading.rows for cell in row]
@@ -135,13 +145,18 @@ def _remark(reading):
     line, cell = next((line, cell) for line, cell in places if "," in cell)
     shown = quoted(cell)
     if any(to_number(cell, ",") is None and is_number(cell) for cell in cells):
-        raise InputError(
-            f"Line {line}, {shown}: the comma may separate thousands or columns; add a header "
-            "line, use semicolons between columns, or choose the decimal sign.",
-            f"Baris {line}, {shown}: koma dapat memisahkan ribuan atau kolom; tambahkan baris "
-            "judul, pisahkan kolom dengan titik koma, atau pilih tanda desimal.",
-        )
+        raise _either(line, cell)
     return {
         "en": f"{shown} was read as one number with decimal comma, not as columns",
         "id": f"{shown} dibaca sebagai satu bilangan dengan koma desimal, bukan beberapa kolom",
     }
+
+
+def _either(line, cell):
+    shown = quoted(cell)
+    return InputError(
+        f"Line {line}, {shown}: the comma may separate thousands or columns; add a header "
+        "line, use semicolons between columns, or choose the decimal sign.",
+        f"Baris {line}, {shown}: koma dapat memisahkan ribuan atau kolom; tambahkan baris "
+        "judul, pisahkan kolom dengan titik koma, atau pilih tanda desimal.",
+    )

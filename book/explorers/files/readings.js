@@ -135,6 +135,7 @@ function betweenCommas(best, readings, decimal) {
   if (best.name === "comma and blank") {
     return [best.name, remarkOn(best)];
   }
+  checkOpen(best, decimal);
   const [comma, lines] = [readings.get("comma"), readings.get("lines")];
   const isOfCommas = best.name === "comma" || best.name === "lines";
   if (!isOfCommas || !comma || !lines || decimal) {
@@ -155,17 +156,35 @@ function remarkOn({ rows, lines }) {
   const line = lines[at];
   const shown = quoted(rows[at].find(hasComma));
   if (cells.some((cell) => toNumber(cell, ",") === null && isNumber(cell))) {
-    throw new InputError({
-      en:
-        `Line ${line}, ${shown}: the comma may separate thousands or columns; add a header line, ` +
-        "use semicolons between columns, or choose the decimal sign.",
-      id:
-        `Baris ${line}, ${shown}: koma dapat memisahkan ribuan atau kolom; tambahkan baris judul, ` +
-        "pisahkan kolom dengan titik koma, atau pilih tanda desimal.",
-    });
+    throw either(line, rows[at].find(hasComma));
   }
   return {
     en: `${shown} was read as one number with decimal comma, not as columns`,
     id: `${shown} dibaca sebagai satu bilangan dengan koma desimal, bukan beberapa kolom`,
   };
+}
+
+/** InputError if the last two columns may be one. */
+function checkOpen({ name, rows, lines, score: [, fits] }, decimal) {
+  if (name === "comma" && !decimal && fits === 0 && rows.every(isOpenRow)) {
+    throw either(lines[0], rows[0].join(","));
+  }
+}
+
+/** A time and two whole numbers: 10:00,21,5 may end with 21.5. */
+function isOpenRow(row) {
+  const isWhole = (cell) => /^\p{Nd}+$/u.test(cell);
+  return row.length === 3 && !isNumber(row[0]) && isWhole(row[1]) && isWhole(row[2]);
+}
+
+function either(line, cell) {
+  const shown = quoted(cell);
+  return new InputError({
+    en:
+      `Line ${line}, ${shown}: the comma may separate thousands or columns; add a header line, ` +
+      "use semicolons between columns, or choose the decimal sign.",
+    id:
+      `Baris ${line}, ${shown}: koma dapat memisahkan ribuan atau kolom; tambahkan baris judul, ` +
+      "pisahkan kolom dengan titik koma, atau pilih tanda desimal.",
+  });
 }
