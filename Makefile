@@ -91,6 +91,6 @@ $(VENV)/.npm: $(VENV)/.installed book/package-lock.json
 
 # The explorers of the notebooks come from the same sources as those of the pages, their ranges from the papers, and the
 # exercises from the notebooks themselves.
-$(BUNDLE): $(VENV)/.npm book/_ext/bundle.mjs $(wildcard notebooks/*.ipynb) $(shell find book/explorers kalman_lib/papers -name '*.js' -o -name '*.css' -o -name '*.py')
+$(BUNDLE): $(VENV)/.npm book/_ext/bundle.mjs book/_ext/modules.mjs $(wildcard notebooks/*.ipynb) $(shell find book/explorers kalman_lib/papers -name '*.js' -o -name '*.css' -o -name '*.py')
 	$(PY) book/_ext/explorers.py
 	@touch $@

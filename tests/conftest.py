@@ -202,7 +202,7 @@ def bundle(chromium, tmp_path_factory):
     folder = tmp_path_factory.mktemp("explorers")
     papers = explorers.bundle(folder, None)
     page = chromium.new_page()
-    for name in ("core", *papers):
+    for name in explorers.scripts(papers):
         page.add_script_tag(path=folder / f"{name}.js")
     yield page
     page.close()

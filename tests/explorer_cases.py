@@ -20,7 +20,7 @@ def parameter_sets(Params, rng):
         if isinstance(meta["default"], int)
         and isinstance(meta["step"], int)
         and meta["unit"] == ""
-        and meta["min"] == 1
+        and meta["min"] in (0, 1)
     }
     near = [
         Params(**{

@@ -9,7 +9,6 @@ import numpy as np
 from conftest import ROOT
 
 import kalman_lib.papers
-from kalman_lib.data import InputError
 
 SOURCES = ROOT / "book" / "explorers"
 PAPERS = sorted(module.name for module in pkgutil.iter_modules(kalman_lib.papers.__path__))
@@ -185,20 +184,3 @@ def javascript(page, call, *arguments):
         ),
         parse_constant=float,
     )
-
-
-def as_in_python(read, *arguments):
-    try:
-        table = read(*arguments)
-    except InputError as error:
-        return {"error": [error.id, error.en]}
-    return {
-        "columns": [
-            [name, ["nan" if np.isnan(v) else v for v in values.tolist()]]
-            for name, values in table.columns.items()
-        ],
-        "lines": table.lines.tolist(),
-        "skipped": list(table.skipped),
-        "decimal": table.decimal,
-        "note": {"en": table.note_en, "id": table.note_id},
-    }

@@ -67,6 +67,12 @@ TIMES = [
     ("t;v\n10:00:05 PM;1\n10:00:06 PM;2", {"t": [0, 1], "v": [1, 2]}, {}),
     ("1 Mei 2024;5\n2 Mei 2024;7", {"1": [0, 86400], "2": [5, 7]}, {"time": "1"}),
     ("31-Dec-2023;5\n01-Jan-2024;7", {"1": [0, 86400], "2": [5, 7]}, {"time": "1"}),
+    (
+        "Tanggal;Jam;Suhu\n01/02/2026;10.30;21,5\n01/02/2026;10.35;21,7",
+        {"Tanggal Jam": [0, 300], "Suhu": [21.5, 21.7]},
+        {},
+    ),
+    ("10:00, 21,5\n10:05, 21,7", {"1": [0, 300], "2": [21.5, 21.7]}, {}),
     ("pukul;suhu\n10.30;21,5\n10.35;21,7", {"pukul": [0, 300], "suhu": [21.5, 21.7]}, {}),
     ("waktu;v\n10:00;1\n;2\n10:02;3", {"waktu": [0, nan, 120], "v": [1, 2, 3]}, {}),
     ("2024-01-01 10:00,21.5\n2024-01-01 10:01,21.7", {"1": [0, 60], "2": [21.5, 21.7]}, {}),
@@ -137,6 +143,8 @@ ROLES = [
 # --- codes for missing (A4) ---------------------------------------------------------------------
 
 CODES = [
+    ("v\n21\n-999", {"v": [21, nan]}, {"en": "-999 (1x)"}),
+    ("v\n-999\n-999", {"v": [-999, -999]}, {"en": "-999 (2x) may stand for missing"}),
     ("v\n21\n-999\n22\n21", {"v": [21, nan, 22, 21]}, {"en": "-999 (1x)"}),
     ("suhu\n21,5\n-127\n21,6\n85\n21,5", {"suhu": [21.5, nan, 21.6, nan, 21.5]}, {"en": "85 (1x)"}),
     (
@@ -153,6 +161,7 @@ CODES = [
 # --- thousands (A5), spaces in numbers (B4) -----------------------------------------------------
 
 THOUSANDS = [
+    ("Rp1.500\nRp2.000\nRp12.500", {"1": [1500, 2000, 12500]}, {"units": {"1": "Rp"}}),
     ("1\u00a0234,5\n2\u00a0345,5", {"1": [1234.5, 2345.5]}, {}),
     ("t;v\n0;1\u202f234,5\n1;2\u202f345,5", {"t": [0, 1], "v": [1234.5, 2345.5]}, {}),
     ("t;v\n0;1 234,5\n1;2 345,5", {"t": [0, 1], "v": [1234.5, 2345.5]}, {}),
@@ -173,6 +182,18 @@ THOUSANDS = [
 # --- text around a table (B2) -------------------------------------------------------------------
 
 AROUND = [
+    (
+        '"Plot Title: 1"\n"#","Date Time, GMT+07:00","Temp, °C (LGR S/N: 101)","Host"\n'
+        '1,"01/13/24 10:00:00 AM",21.5,\n2,"01/13/24 10:05:00 AM",21.6,Logged',
+        {"1": [1, 2], "Date Time, GMT+07:00": [0, 300], "Temp, °C (LGR S/N: 101)": [21.5, 21.6]},
+        {"value": "Temp, °C (LGR S/N: 101)", "units": {"Temp, °C (LGR S/N: 101)": "°C"}},
+    ),
+    (
+        "TOA5,CR1000,1234\nTIMESTAMP,RECORD,AirTC_Avg\nTS,RN,Deg C\n,,Avg\n"
+        "2024-01-01 00:00:00,0,21.5\n2024-01-01 00:10:00,1,21.7",
+        {"TIMESTAMP": [0, 600], "RECORD": [0, 1], "AirTC_Avg": [21.5, 21.7]},
+        {"time": "TIMESTAMP", "value": "AirTC_Avg", "units": {"AirTC_Avg": "DegC"}},
+    ),
     (
         "Data suhu ruang\nLab Instrumentasi\n\nt;suhu\n0;21,5\n1;21,7\n",
         {"t": [0, 1], "suhu": [21.5, 21.7]},
@@ -213,6 +234,8 @@ AROUND = [
 # --- a row or a list is data (B5) ---------------------------------------------------------------
 
 LISTS = [
+    ("data: [1.5, 2.5, 3]", {"1": [1.5, 2.5, 3]}, {}),
+    ("z=[1.5 2.5 ...\n 3.5];", {"z": [1.5, 2.5, 3.5]}, {}),
     ("[1.0, 2.0, 3.0]", {"1": [1, 2, 3]}, {}),
     ("1, 2, 3", {"1": [1, 2, 3]}, {}),
     ("1;2;3", {"1": [1, 2, 3]}, {}),
@@ -238,10 +261,13 @@ READ = PLAIN + TIMES + ROLES + CODES + THOUSANDS + AROUND + LISTS
 # --- refused: (text, what else, a part of the sentence in English, in Indonesian) ---------------
 
 REFUSED = [
+    ("2026-01-01,21,5\n2026-01-02,21,7", {}, "comma may separate", "koma dapat memisahkan"),
     ("", {}, "no column of numbers", "Tidak ada kolom bilangan"),
     ("a\nb", {}, "no column of numbers", "Tidak ada kolom bilangan"),
     ("1\nx\n3", {}, "Line 2, column '1': 'x'", "Baris 2, kolom '1': 'x'"),
     ("1\nx", {}, "Line 2, column '1': 'x'", "Baris 2, kolom '1': 'x'"),
+    ("1\n2 3 4", {}, "'2 3 4' is neither", "'2 3 4' bukan"),
+    ("1\n=cmd|' /C calc'!A0", {}, "Line 2", "Baris 2"),
     ("12.34.5\n1", {}, "Line 1, column '1': '12.34.5'", "Baris 1, kolom '1'"),
     ("1\n#DIV/0!\n3", {}, "'#DIV/0!' is neither", "'#DIV/0!' bukan"),
     ("a;b\n0,5;12.34\n", {}, "'12.34' in line 2, '0,5' in line 2", "'12.34' di baris 2"),
@@ -265,7 +291,7 @@ REFUSED = [
 
 HUGE = {
     "rows": lambda: "1\n" * 1_000_000,
-    "bytes": lambda: "1.23456789;" * 3 + "1\n" + "1.23456789;1;2;3\n" * 3_000_000,
+    "bytes": lambda: "1.23456789;" * 3 + "1\n" + "1.23456789;1;2;3\n" * 1_000_000,
     "columns": lambda: ";".join(["x"] * 100_000) + "\n" + ";".join(["1"] * 100_000),
     "equal names": lambda: ";".join(["x"] * 900) + "\n" + ";".join(["1"] * 900),
     "blanks in a header": lambda: "a" + " " * 200_000 + "b\n1\n2",

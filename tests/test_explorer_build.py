@@ -26,13 +26,14 @@ ALLOWED = {
     "files": {"files", "language"},
     "drawing": {"drawing"},
     "element": {"element", "drawing", "language", "numerics"},
-    "papers": {"numerics", "language", "files"},  # and each its own folder
+    "sensors": {"sensors", "language"},
+    "papers": {"numerics", "language", "files", "sensors"},  # and each its own folder
     "grading": {"grading", "language"},
     "exercise": {"exercise", "grading", "drawing", "language"},
     "jupyter": {"jupyter", "element", "drawing", "language"},
     "": {"numerics", "language", "element"},  # core.js
 }
-TOUCH_THE_DOCUMENT = {"element", "drawing", "jupyter", "exercise"}
+TOUCH_THE_DOCUMENT = {"element", "drawing", "jupyter", "exercise", "sensors"}
 FILES = sorted(SOURCES.rglob("*.js"))
 
 
@@ -109,7 +110,7 @@ def test_scripts_and_style_only_where_they_are_needed(site):
         scripts = re.findall(r"<script[^>]*vendor/explorers/[^>]*>", text)
         papers = shown_in(path)
         loaded = [re.search(r"vendor/explorers/(\w+)\.js", tag)[1] for tag in scripts]
-        assert loaded == (["core", *papers] if papers else []) and all(
+        assert loaded == (explorers_to_bundle.scripts(papers) if papers else []) and all(
             " defer" in tag for tag in scripts
         ), path
         assert ("vendor/explorers/core.css" in text) == bool(papers), path
@@ -120,8 +121,10 @@ def test_the_core_and_one_paper_are_small(language, site):
     folder = site / language / "_static" / "vendor" / "explorers"
     sizes = {file.name: len(gzip.compress(file.read_bytes(), 9)) for file in folder.iterdir()}
     core = sizes.pop("core.js") + sizes.pop("core.css")
+    rooms = {room: sizes.pop(f"{room}.js") for room in explorers_to_bundle.ROOMS}
     assert set(sizes) == {f"{paper}.js" for paper in PAPERS}
     assert core + max(sizes.values()) <= 45_000, (core, sizes)
+    assert max(rooms.values()) <= 25_000, rooms  # only where a paper uses them
 
 
 @pytest.mark.parametrize("language, other", [("id", "en"), ("en", "id")])

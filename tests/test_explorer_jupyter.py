@@ -34,6 +34,7 @@ VIEWS = {  # cell -> paper, view; a control that is a field of Params
     10: ("ship", "poles", "a1"),
     11: ("ship", "noise", "sigma"),
     12: ("beetle", "banana", "theta0"),
+    13: ("workshop", None, "R"),
 }
 SCRATCH = len(VIEWS) + 1  # a cell for whatever a test wants to know from Python
 CODE = [f"e{k} = explore({paper!r}, view={view!r})" for k, (paper, view, _) in VIEWS.items()]

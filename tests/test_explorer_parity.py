@@ -3,6 +3,7 @@
 Papers are found in kalman_lib.papers; none is listed here.
 """
 
+import contextlib
 import dataclasses
 import importlib
 import inspect
@@ -96,7 +97,9 @@ def in_python(module, p, t, twins):
                 x_pred=n, P_pred=n * n, x=n, P=n * n, y=m, S=m * m, K=n * m
             ).items()
         }
-        numbers |= {"rmse": (rmse(t.x, result.x), n), "nis": (nis(result.y, result.S), 1)}
+        numbers["rmse"] = rmse(t.x, result.x), n
+        with contextlib.suppress(ValueError):  # two sensors without noise are refused
+            numbers["nis"] = nis(result.y, result.S), 1
         if well_conditioned(result.P):
             numbers["nees"] = nees(t.x, result.x, result.P), 1
         if well_conditioned(result.P_pred):
@@ -235,7 +238,7 @@ def test_one_wrong_sign_is_found(name, tmp_path, chromium):
     file.write_text(with_a_wrong_sign(file), encoding="utf-8")
     explorers_to_bundle.bundle(tmp_path, "en", sources)
     page = chromium.new_page()
-    for script in ("core", name):
+    for script in explorers_to_bundle.scripts([name]):
         page.add_script_tag(path=tmp_path / f"{script}.js")
     assert next(differences(name, page), None) is not None
     page.close()

@@ -5,11 +5,12 @@ import re
 
 import numpy as np
 import pytest
-from explorer_helpers import as_in_python, estimates, javascript, paste, picture, shown
+from explorer_helpers import estimates, javascript, paste, picture, shown
 from openpyxl import load_workbook
+from own_helpers import form_in, from_the_first
 
 from kalman_lib import kalman_filter, rts_smooth
-from kalman_lib.data import read_text
+from kalman_lib.data import InputError, read_table
 from kalman_lib.papers import smoother
 
 nan = np.nan
@@ -69,12 +70,7 @@ def test_R_from_a_steady_stretch(bundle):
 
 @pytest.fixture(params=["id", "en"])
 def form(request, opened, site):
-    page, trouble = opened(site / request.param / "notebooks" / "02_smoother.html")
-    element = page.locator("kalman-explorer:not([view])").first
-    yield page, element, request.param
-    element.evaluate("e => e.explorer.reset()")
-    shown(element)
-    assert trouble == [] and not element.locator(".explorer-message").is_visible()
+    yield from form_in(request.param, opened, site)
 
 
 def test_the_form_starts_with_the_paper_s_table(form):
@@ -112,14 +108,14 @@ def test_a_pasted_column_is_filtered(form):
     paste(element, "Waktu;Suhu\n1;25,5\n2;\n3;26,5\n")
     assert "Suhu" in element.locator(".explorer-outcome").inner_text()
     column = element.get_by_label({"id": "Kolom", "en": "Column"}[language], exact=True)
-    assert column.locator("option").all_inner_texts() == ["Waktu", "Suhu"]
-    column.select_option("1")
-    shown(element)
+    found = {"id": "dikenali: Suhu", "en": "found: Suhu"}[language]
+    assert column.locator("option").all_inner_texts() == [found, "Waktu", "Suhu"]
     np.testing.assert_allclose(
-        estimates(element),
-        smoother.scalar_filter(np.array([25.5, nan, 26.5]), smoother.Params())[0],
-        rtol=1e-12,
+        estimates(element), from_the_first(np.array([25.5, nan, 26.5]))[0], rtol=1e-12
     )
+    column.select_option("Waktu")
+    shown(element)
+    np.testing.assert_allclose(estimates(element), from_the_first(np.arange(1.0, 4))[0], rtol=1e-12)
     paste(element, "1,234\n2,345")
     assert (
         "1,234" in element.locator(".explorer-outcome").inner_text()
@@ -130,7 +126,7 @@ def test_a_pasted_column_is_filtered(form):
     assert element.evaluate("e => e.explorer.r.data.names") == [
         "1",
         "2",
-    ]  # two columns, as read_text says
+    ]  # two columns, as read_table says
     element.locator("input[type=file]").set_input_files({
         "name": "a.csv",
         "mimeType": "text/csv",
@@ -180,8 +176,9 @@ def test_bad_input_is_one_sentence_and_the_figure_stays(bad, line, form):
             or "cells" in text
             or "sel di" in text
         )
-    py = as_in_python(read_text, bad)["error"]
-    assert text == py[language == "en"].replace("  ", " ")
+    with pytest.raises(InputError) as refused:
+        read_table(bad)
+    assert text == getattr(refused.value, language)
     assert picture(element) == before
     paste(element, "1\n2\n4")  # and it goes on
     message.wait_for(state="hidden")
@@ -203,8 +200,7 @@ def test_a_binary_file_is_refused(form):
         message = element.locator(".explorer-message")
         message.get_by_text(name).wait_for()
         assert (
-            {"id": "simpanlah sebagai CSV", "en": "save it as CSV"}[language]
-            in message.inner_text()
+            {"id": "simpanlah", "en": "save it"}[language] in message.inner_text()
             and message.locator("*").count() == 0
             and picture(element) == before
         )
@@ -248,8 +244,10 @@ def test_the_csv_holds_every_digit(form, tmp_path):
     file = download(page, element, "CSV")
     assert file.suggested_filename == "kalman.csv"
     file.save_as(tmp_path / "a.csv")
-    rows = list(csv.reader((tmp_path / "a.csv").open(encoding="utf-8", newline="")))
-    x, P, K, smooth = smoother.scalar_filter(np.array([1.5, nan, 2.25, 4]), smoother.Params())
+    separator, sign = {"id": (";", ","), "en": (",", ".")}[language]  # as Excel there expects
+    lines = (tmp_path / "a.csv").open(encoding="utf-8", newline="")
+    rows = list(csv.reader(lines, delimiter=separator))
+    x, P, K, smooth = from_the_first(np.array([1.5, nan, 2.25, 4]))
     assert rows[0] == [
         *{"id": ["No", "Terukur", "Hasil filter"], "en": ["No", "Measured", "Filtered"]}[language],
         "K",
@@ -257,11 +255,14 @@ def test_the_csv_holds_every_digit(form, tmp_path):
         "MA3",
         {"id": "Penghalus RTS", "en": "RTS smoother"}[language],
     ]
-    assert [row[1] for row in rows[1:]] == ["1.5", "", "2.25", "4"] and not any(
+    assert [row[1].replace(sign, ".") for row in rows[1:]] == ["1.5", "", "2.25", "4"] and not any(
         cell[:1] in "=+@" and cell for row in rows for cell in row
     )
     for column, values in ((2, x), (3, K), (4, P), (6, smooth)):
-        np.testing.assert_allclose([float(row[column]) for row in rows[1:]], values, rtol=1e-12)
+        shown_values = [float(row[column].replace(sign, ".")) for row in rows[1:]]
+        np.testing.assert_allclose(shown_values, values, rtol=1e-12)
+    table = read_table(tmp_path / "a.csv")
+    np.testing.assert_allclose(table.columns["K"], K, rtol=1e-12)
     element.locator("input[type=checkbox]").last.uncheck()
 
 
@@ -278,7 +279,7 @@ def test_the_result_can_be_copied(form):
     ).click()
     page.wait_for_function("window.copied")
     text = page.evaluate("window.copied")
-    columns = list(read_text(text).columns.values())
+    columns = list(read_table(text).columns.values())
     np.testing.assert_allclose(columns[2], smoother.FILTERED, atol=5e-7)
     assert ("-0,39\t" in text) == (language == "id")
 

@@ -7,135 +7,17 @@
 // host "page":
 // A browser refuses ES modules from file://, so every bundle is one classic script. The core (core.js) holds
 // the rooms that all papers use; the bundle of a paper takes them from there, so that a page loads them once.
+// What only some papers use (ROOMS) is one script a room, which stands between the core and the paper.
 // The words of the other language are left out. What is wrong with the sources is told in one sentence on
 // stderr.
 import { readFileSync } from "node:fs";
-import { readFile } from "node:fs/promises";
+import { readFile, readdir } from "node:fs/promises";
 import path from "node:path";
-import { parse } from "acorn";
 import { build } from "esbuild";
+import { Mistake, exportsOf, nameOf, treeOf, viewsOf, wordsOf } from "./modules.mjs";
 
 const SHARED = ["numerics", "language"]; // rooms of the core that papers use
-const OTHER = { id: "en", en: "id" };
-// Where {id, en} are words
-const WORDY = /[\\/](papers|language|files|grading|exercise)[\\/]|[\\/]element[\\/]words\.js$/;
-
-class Mistake extends Error {}
-
-/** How a file is called in a sentence: "papers/ship/words.js". */
-function nameOf(file) {
-  return file.slice(file.lastIndexOf("explorers") + "explorers/".length).replaceAll("\\", "/");
-}
-
-// --- reading a module --------------------------------------------------------------------------------------
-
-function treeOf(text, file) {
-  try {
-    return parse(text, { ecmaVersion: 2023, sourceType: "module", locations: true });
-  } catch (error) {
-    throw new Mistake(`${nameOf(file)} is no JavaScript: ${error.message}.`, { cause: error });
-  }
-}
-
-/** Every node of a syntax tree. */
-function* nodesOf(node) {
-  yield node;
-  for (const value of Object.values(node)) {
-    for (const child of [value].flat()) {
-      if (typeof child?.type === "string") {
-        yield* nodesOf(child);
-      }
-    }
-  }
-}
-
-function propertyOf(object, name) {
-  return object.properties.find(({ key }) => key?.name === name);
-}
-
-/** Objects that hold words: {id, en}. A word in one language only is a mistake. */
-function pairsOf(tree, file) {
-  const pairs = [];
-  for (const node of nodesOf(tree)) {
-    if (node.type !== "ObjectExpression") {
-      continue;
-    }
-    const pair = { object: node, id: propertyOf(node, "id"), en: propertyOf(node, "en") };
-    if (WORDY.test(file)) {
-      checkPair(pair, file);
-    }
-    if (pair.id && pair.en) {
-      pairs.push(pair);
-    }
-  }
-  return pairs;
-}
-
-function checkPair({ object, id, en }, file) {
-  for (const [there, missing, language] of [
-    [id, en, "en"],
-    [en, id, "id"],
-  ]) {
-    if (there && !isEmpty(there) && (!missing || isEmpty(missing))) {
-      throw new Mistake(
-        `${nameOf(file)}, line ${object.loc.start.line}: words are missing in "${language}".`,
-      );
-    }
-  }
-}
-
-function isEmpty({ value }) {
-  return value.type === "Literal" && value.value === "";
-}
-
-/** The text of a module with the words of one language; null: with both. */
-function wordsOf(language, text, file) {
-  const cuts = pairsOf(treeOf(text, file), file).map((pair) =>
-    rangeOf(pair[OTHER[language]] ?? null, pair.object),
-  );
-  const kept = [];
-  let at = 0;
-  for (const [start, end] of cuts.filter(Boolean).sort((a, b) => a[0] - b[0])) {
-    if (start >= at) {
-      kept.push(text.slice(at, start));
-      at = end;
-    }
-  }
-  return kept.join("") + text.slice(at);
-}
-
-/** Where a property stands, with the comma before or after it. */
-function rangeOf(property, { properties }) {
-  if (property === null) {
-    return null;
-  }
-  const i = properties.indexOf(property);
-  if (i + 1 < properties.length) {
-    return [property.start, properties[i + 1].start];
-  }
-  return [properties[i - 1].end, property.end];
-}
-
-/** The names that a module exports by declaration. */
-function exportsOf(tree) {
-  const found = tree.body.filter(({ type, declaration }) => type === "ExportNamedDeclaration" && declaration);
-  return found.flatMap(({ declaration: { id, declarations } }) => {
-    return id ? [id.name] : declarations.map((declared) => declared.id.name);
-  });
-}
-
-/** The names of the views of a paper: the keys of `export const views = {...}` in its index.js. */
-async function viewsOf(sources, paper) {
-  const file = path.join(sources, "papers", paper, "index.js");
-  const tree = treeOf(await readFile(file, "utf8"), file);
-  for (const { declaration } of tree.body) {
-    const declared = declaration?.declarations?.find(({ id }) => id.name === "views");
-    if (declared) {
-      return declared.init.properties.map(({ key }) => key.name);
-    }
-  }
-  throw new Mistake(`book/explorers/papers/${paper}/index.js exports no views.`);
-}
+const ROOMS = ["files", "sensors"]; // rooms that some papers use: a script each
 
 // --- bundling ----------------------------------------------------------------------------------------------
 
@@ -151,23 +33,46 @@ function oneLanguage(language) {
   };
 }
 
-/** For esbuild: a paper takes the shared rooms from the core. */
-function fromTheCore(sources) {
-  const shared = SHARED.map((room) => path.join(sources, room));
+/** For esbuild: a paper takes the shared rooms from the core, and some from the scripts of their own. */
+function fromOthers(sources, rooms) {
+  const places = new Map(SHARED.map((room) => [path.join(sources, room), ""]));
+  for (const room of rooms) {
+    places.set(path.join(sources, room), `rooms.${room}.`);
+  }
   return {
-    name: "from-the-core",
+    name: "from-others",
     setup(steps) {
       steps.onResolve({ filter: /\.js$/ }, ({ path: name, resolveDir }) => {
         const file = path.resolve(resolveDir, name);
-        return shared.includes(path.dirname(file)) ? { path: file, namespace: "core" } : undefined;
+        return places.has(path.dirname(file)) ? { path: file, namespace: "others" } : undefined;
       });
-      steps.onLoad({ filter: /.*/, namespace: "core" }, async ({ path: file }) => {
+      steps.onLoad({ filter: /.*/, namespace: "others" }, async ({ path: file }) => {
         const names = exportsOf(treeOf(await readFile(file, "utf8"), file));
-        const room = path.basename(file, ".js");
-        return { contents: `export const { ${names.join(", ")} } = KalmanExplorers.${room};` };
+        const place = places.get(path.dirname(file)) + path.basename(file, ".js");
+        return { contents: `export const { ${names.join(", ")} } = KalmanExplorers.${place};` };
       });
     },
   };
+}
+
+/** The modules of a room that papers import. */
+async function usedModules(sources, room, papers) {
+  const found = new Set();
+  const wanted = new RegExp(`"\\.\\./\\.\\./${room}/(\\w+)\\.js"`, "g");
+  for (const paper of papers) {
+    const folder = path.join(sources, "papers", paper);
+    for (const name of await readdir(folder)) {
+      const text = await readFile(path.join(folder, name), "utf8");
+      [...text.matchAll(wanted)].forEach(([, module]) => found.add(module));
+    }
+  }
+  return [...found].sort();
+}
+
+/** The module that makes a room known to the papers. */
+function entryOfRoom(room, modules) {
+  const imports = modules.map((name) => `import * as ${name} from "./${room}/${name}.js";`);
+  return `${imports.join("\n")}\nKalmanExplorers.rooms.${room} = { ${modules.join(", ")} };\n`;
 }
 
 async function bundle(options, plugins) {
@@ -206,10 +111,10 @@ function collected(papers) {
 /** {paper: {view: {name: value}}}: where every control of a view starts, for Python. */
 async function startsOf(papers, options) {
   const contents = `${collected(papers)}
-    import { completeControls, defaultsOf } from "./element/settings.js";
+    import { completeControls, defaultsOf, isData } from "./element/settings.js";
     const startOf = (view, table) => {
       const controls = completeControls(view, table, true);
-      const files = controls.filter(({ kind }) => kind === "file").map(({ name }) => name);
+      const files = controls.filter(isData).map(({ name }) => name);
       const starts = Object.entries(defaultsOf(view, controls, table));
       return Object.fromEntries(starts.filter(([name]) => !files.includes(name)));
     };
@@ -250,12 +155,17 @@ async function forPage({ sources, data, language, papers }) {
     "core.js": await bundle({ entryPoints: [`${core}.js`], globalName: "KalmanExplorers" }, [words]),
     "core.css": await bundle({ entryPoints: [`${core}.css`] }, []),
   };
+  for (const room of ROOMS) {
+    const contents = entryOfRoom(room, await usedModules(sources, room, Object.keys(papers)));
+    const stdin = { contents, resolveDir: sources, sourcefile: `${room}.js` };
+    files[`${room}.js`] = await bundle({ stdin }, [fromOthers(sources, []), words]);
+  }
   const views = {};
   for (const [paper, table] of Object.entries(papers)) {
     views[paper] = await viewsOf(sources, paper);
     const stdin = { contents: entryOf(paper, table), resolveDir: sources, sourcefile: `${paper}.js` };
     const options = { stdin, alias: { data }, loader: { ".csv": "text" } }; // for import "data/nile.csv"
-    files[`${paper}.js`] = await bundle(options, [fromTheCore(sources), words]);
+    files[`${paper}.js`] = await bundle(options, [fromOthers(sources, ROOMS), words]);
   }
   return { files, views };
 }

@@ -1,7 +1,8 @@
 """The live explorers: a core and one script per paper, made from book/explorers and loaded where
 they are needed.
 
-A page loads core.js and core.css once and the script of each paper it shows: classic scripts,
+A page loads core.js and core.css once, files.js or sensors.js where a paper uses that room, and the
+script of each paper it shows: classic scripts,
 because a browser refuses ES modules from file://. Every folder in book/explorers/papers belongs to
 the paper of the same name, and its ranges and words come from the Params of that paper. bundle.mjs
 does the bundling and leaves out the words of the other language.
@@ -28,6 +29,7 @@ import offline
 SOURCES = offline.BOOK / "explorers"
 DATA = offline.BOOK.parent / "notebooks" / "data"
 FOLDER = "vendor/explorers"
+ROOMS = ("files", "sensors")  # those of which bundle.mjs makes a script of their own
 FOR_NOTEBOOKS = offline.BOOK.parent / "kalman_lib" / "live" / "bundle"
 ELEMENT = re.compile(r"<kalman-explorer\b([^>]*)>")
 
@@ -91,6 +93,18 @@ def bundle(target, language, sources=SOURCES, host="page"):
     return answer["views"]
 
 
+def scripts(papers, sources=SOURCES):
+    """The scripts that a page with these papers loads, in their order: the core, the rooms that one
+    of them uses, the papers."""
+    texts = [
+        path.read_text(encoding="utf-8")
+        for paper in papers
+        for path in (sources / "papers" / paper).glob("*.js")
+    ]
+    used = [room for room in ROOMS if any(f'"../../{room}/' in text for text in texts)]
+    return ["core", *used, *papers]
+
+
 def for_notebooks(target=FOR_NOTEBOOKS):
     """Write what kalman_lib.explorer shows in a notebook: a module, its styles, its starts; and
     the exercises for kalman_lib.exercises."""
@@ -149,7 +163,7 @@ def load(app, pagename, templatename, context, doctree):
         )  # the build takes warnings for errors
     if shown:
         papers = dict.fromkeys(paper for paper, _ in shown)
-        for name in ("core", *papers):
+        for name in scripts(papers):
             app.add_js_file(f"{FOLDER}/{name}.js", loading_method="defer")
         app.add_css_file(f"{FOLDER}/core.css")
 

@@ -12,3 +12,5 @@ export * as input from "./language/input.js";
 export * as speaker from "./language/speaker.js";
 export * as question from "./language/question.js";
 export { papers, register, tables } from "./element/register.js";
+/** What only some papers use, each from a script of its own: {files: {table, ...}, sensors: {...}}. */
+export const rooms = {};

@@ -183,17 +183,24 @@ def _check_neighbours(grid, start, stop, width):
         if cells and len(cells) != first_width:
             raise odd_row(line, len(cells), first_width)
     above = grid[start - 1][1] if start > 0 else []
-    if len(above) == width and not any(map(has_letter, above)) and _has_digit(above):
+    if len(above) == width and _are_digits(above):
         line = grid[start - 1][0]
         raise no_number(line, "1", next(cell for cell in above if not is_gap(cell)))
-    if width == 1 and len(below) == 1 and len(shown(below[0]).split()) == 1:
+    if width == 1 and len(below) == 1 and (_is_cell(shown(below[0])) or _are_digits(below)):
         head, _, _ = header_of(grid, start, stop)
         name = shown(grid[head][1][0]) if head is not None else "1"
         raise no_number(grid[stop][0], name, below[0])
 
 
-def _has_digit(cells):
-    return any(sign.isdecimal() for cell in cells for sign in shown(cell))
+def _is_cell(text):
+    """A single word or a formula: no remark below a table."""
+    return len(text.split()) == 1 or text.startswith("=")
+
+
+def _are_digits(cells):
+    """Digits, and no letter: no title."""
+    has_digit = any(sign.isdecimal() for cell in cells for sign in shown(cell))
+    return has_digit and not any(map(has_letter, cells))
 
 
 # --- the header ---------------------------------------------------------------------------------

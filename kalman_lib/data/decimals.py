@@ -4,6 +4,7 @@ import re
 
 from .cells import number_in, quoted
 from .errors import InputError
+from .units import CURRENCIES
 
 NO_REMARK = None
 SIGNS = (",", ".")
@@ -52,6 +53,8 @@ def _signs_in(rows, columns):
             readings = [sign for sign in SIGNS if number_in(cell, sign)[0] is not None]
             if len(readings) == 1:
                 proof.setdefault(readings[0], (line, cell))
+            elif readings and number_in(cell, ".")[1] in CURRENCIES:
+                proof.setdefault("," if "." in cell else ".", (line, cell))  # money: thousands
             elif readings:
                 maybe.setdefault("," if "," in cell else ".", (line, cell))
                 is_round = is_round and bool(ROUND.fullmatch(cell[:100]))

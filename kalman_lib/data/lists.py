@@ -10,7 +10,7 @@ MAX_NAMES = 1000
 MAX_DEPTH = 4  # brackets around a list
 NAME_AT_THE_END = re.compile(r"[^\W\d]\w{0,60}\s{0,9}$")
 ASSIGNED = re.compile(r"([^\W\d]\w{0,60})\s{0,9}=")
-HEAD = re.compile(r"[\w.=\s]*")
+HEAD = re.compile(r"[\w.=:\"'\s]*")
 ALLOWED = re.compile(r"[0-9\s.,;eE+\-\u2212\[\](){}nNaAuUlLoOiIfF]*")
 DTYPE = re.compile(r",\s{0,9}dtype\s{0,9}=[\w.\"' ]{1,20}\)$")
 
@@ -82,6 +82,7 @@ def _statement(text):
 
 def _rows_of(inside):
     """ "[[0, 21.5], [1, 21.7]]" -> [["0", "21.5"], ["1", "21.7"]]; None if it is no list."""
+    inside = inside.replace("...\n", " ")  # goes on in the next line
     if not ALLOWED.fullmatch(inside):
         return None
     if max(map(inside.count, ", \n;")) > (MAX_CELLS if inside.count("[") > 2 else MAX_READ):

@@ -33,8 +33,9 @@ def suspects(name, unit, values, explained):
     codes = sorted(set(explained) & set(values[np.isin(values, explained)].tolist()))
     doubtful = []
     rest = values[np.isfinite(values) & ~np.isin(values, [*CODES, *codes])]
-    if len(rest) < 2:
-        return codes, []
+    if len(rest) == 0:  # there is nothing to judge them by
+        others = [code for code in CODES if code not in OF_THERMOMETERS and code not in codes]
+        return codes, [code for code in others if (values == code).any()]
     low, high = float(rest.min()), float(rest.max())
     for code in CODES:
         away = max(low - code, code - high)

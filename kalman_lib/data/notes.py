@@ -26,10 +26,10 @@ def about(columns, units, time, value, skipped, sign, passed):
     ]
     if time:
         shown = _with_unit(time, units)
-        notes.append({"en": f"time: {shown}", "id": f"waktu: {shown}"})
+        notes.append({"en": f"time column: {shown}", "id": f"kolom waktu: {shown}"})
     if len(columns) > 1:
         shown = _with_unit(value, units)
-        notes.append({"en": f"measured: {shown}", "id": f"terukur: {shown}"})
+        notes.append({"en": f"measured column: {shown}", "id": f"kolom terukur: {shown}"})
     if skipped:
         shown = listed(skipped)
         notes.append({

@@ -27,7 +27,7 @@ def read_xml(content, start, end, text):
     if not content:
         return
     if content.count(b"<") > 2 * MAX_TAGS:
-        raise too_many_cells(content.count(b"<c"))
+        raise too_many_cells(content.count(b"<") // 2)
     parser = expat.ParserCreate()
     parser.buffer_text = True
     parser.StartElementHandler = lambda name, attributes: start(name.rpartition(":")[2], attributes)

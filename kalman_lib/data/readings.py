@@ -24,6 +24,7 @@ class Reading(NamedTuple):
 
     name: str
     rows: list  # those of the table
+    lines: list  # of these rows
     header: list  # the cells of the row above, or none
     whole: int  # rows without two numbers in one cell
     fits: bool  # is there a header, as wide as the table?
@@ -59,6 +60,7 @@ def _weighed(name, grid, decimal):
     head, _, first = header_of(grid, start, stop)
     header = grid[head][1] if head is not None else []
     body = rows[1:] if first > start else rows
+    lines = [line for line, cells in grid[start:stop] if cells][-len(body) :]
     words = [cell for row in body for cell in row if not is_gap(cell) and not is_value(cell)]
     crowded = sum(any(map(_holds_two, row)) for row in body)
     if name in ("comma", "comma and blank"):  # thousands are not parted by blanks there
@@ -67,7 +69,7 @@ def _weighed(name, grid, decimal):
     if name == "blank":  # 1 000, not 1 and 0
         beside += sum(bool(THREE_DIGITS.fullmatch(cell)) for row in body for cell in row[1:])
     fits = len(header) == len(rows[0]) and _is_name(name, header)
-    return Reading(name, body, header, len(rows) - crowded, fits, -beside, -len(words))
+    return Reading(name, body, lines, header, len(rows) - crowded, fits, -beside, -len(words))
 
 
 def _is_possible(name, rows, decimal):
@@ -116,28 +118,45 @@ def _holds_one(cell):
 def _between_commas(best, readings, decimal):
     """The best reading, unless commas may as well be decimal ones; then the remark says so."""
     if best.name == "comma and blank":
-        return best.name, _remark(readings["comma and blank"].rows)
+        return best.name, _remark(best)
+    if best.name == "comma" and not decimal and not best.fits and _are_open(best.rows):
+        raise _either(best.lines[0], ",".join(best.rows[0]))
     comma, lines = readings.get("comma"), readings.get("lines")
     if best.name not in ("comma", "lines") or not comma or not lines or decimal:
         return best.name, NO_REMARK
     is_open = comma.score()[:3] == lines.score()[:3] and len(comma.rows[0]) > 1
     if not is_open or not any("," in row[0] for row in lines.rows):
         return best.name, NO_REMARK
-    return "lines", _remark(lines.rows)
+    return "lines", _remark(lines)
 
 
-def _remark(rows):
+def _are_open(rows):
+    """Times and two whole numbers: 10:00,21,5 may end with 21.5."""
+    return all(
+        len(row) == 3 and not is_number(row[0]) and row[1].isdecimal() and row[2].isdecimal()
+        for row in rows
+    )
+
+
+def _remark(reading):
     """That commas were taken for decimal ones; InputError where that is not certain."""
-    cells = [cell for row in rows for cell in row]
-    shown = quoted(next(cell for cell in cells if "," in cell))
+    cells = [cell for row in reading.rows for cell in row]
+    places = [(line, cell) for line, row in zip(reading.lines, reading.rows) for cell in row]
+    line, cell = next((line, cell) for line, cell in places if "," in cell)
+    shown = quoted(cell)
     if any(to_number(cell, ",") is None and is_number(cell) for cell in cells):
-        raise InputError(
-            f"{shown}: the comma may separate thousands or columns; add a header line, use "
-            "semicolons between columns, or choose the decimal sign.",
-            f"{shown}: koma dapat memisahkan ribuan atau kolom; tambahkan baris judul, pisahkan "
-            "kolom dengan titik koma, atau pilih tanda desimal.",
-        )
+        raise _either(line, cell)
     return {
         "en": f"{shown} was read as one number with decimal comma, not as columns",
         "id": f"{shown} dibaca sebagai satu bilangan dengan koma desimal, bukan beberapa kolom",
     }
+
+
+def _either(line, cell):
+    shown = quoted(cell)
+    return InputError(
+        f"Line {line}, {shown}: the comma may separate thousands or columns; add a header "
+        "line, use semicolons between columns, or choose the decimal sign.",
+        f"Baris {line}, {shown}: koma dapat memisahkan ribuan atau kolom; tambahkan baris "
+        "judul, pisahkan kolom dengan titik koma, atau pilih tanda desimal.",
+    )

@@ -28,6 +28,7 @@ CURRENCIES = ("Rp", "IDR", "US$", "USD", "EUR", "$", "€", "£")
 AGGREGATES = {"avg", "smp", "min", "max", "std", "tot", "mean", "inst"}  # a line of some loggers
 
 UNITS = {*TIME_UNITS, *SPEED_UNITS, *OTHER_UNITS}
+LONG_UNITS = {unit.lower() for unit in UNITS if len(unit) > 2}  # in any letters
 LONGEST_UNIT = 20  # characters
 SPELLINGS = {
     word.lower(): unit
@@ -42,7 +43,9 @@ TIME_WORDS = set(
     "year tahun bulan month".split()
 )
 CLOCK_WORDS = {"pukul", "jam", "waktu", "time"}
-ROW_WORDS = set("no nomor nr num number index indeks idx id row baris record urut # n k".split())
+ROW_WORDS = set(
+    "no nomor nr num number index indeks idx id row baris record rec urut # n k".split()
+)
 SPEED_WORDS = set("v speed velocity kecepatan laju kec".split())
 VALUE_WORDS = SPEED_WORDS | set(
     "suhu temp temperature temperatur z y value nilai measurement measured terukur pengukuran data "
@@ -65,7 +68,8 @@ def is_unit(text):
     """Is it a unit that we know?"""
     if len(text) > LONGEST_UNIT or text == "":
         return False
-    return text in UNITS or canonical(text) in UNITS
+    unit = canonical(text)
+    return text in UNITS or unit in UNITS or unit.lower() in LONG_UNITS
 
 
 def words_of(header):
@@ -77,7 +81,8 @@ def unit_of(header):
     """The unit that a header names, "" if it names none."""
     name, brackets = _without_brackets(header[:LONGEST])
     for inside in brackets:
-        if is_unit(inside) or 0 < len(inside) <= 4 or set(inside) & set("/°%²^"):
+        is_plain = len(inside) <= 10 and not set(inside) & set(" :")
+        if is_unit(inside) or 0 < len(inside) <= 4 or (is_plain and set(inside) & set("/°%²^")):
             return canonical(inside)
     after_comma = name.rpartition(",")[2].strip()
     if "," in name and is_unit(after_comma):

@@ -2,7 +2,7 @@
 // page.
 import { InputError, number } from "../language/input.js";
 import { tell } from "./messages.js";
-import { accepted } from "./settings.js";
+import { accepted, isData } from "./settings.js";
 import { WORDS } from "./words.js";
 
 const PART = /^[a-z]+(\.[a-z]+)?:/; // other anchors are none of our business
@@ -46,8 +46,8 @@ function writeHash(key, text) {
 /** The controls that the address may hold, by name. */
 function addressed(controls) {
   const kept = controls.filter((control) => {
-    const isFree =
-      control.kind === "text" || control.kind === "file" || typeof control.options === "function";
+    const isText = control.kind === "text" && !control.kept;
+    const isFree = isText || isData(control) || typeof control.options === "function";
     return control.name && !isFree;
   });
   const seed = { name: "seed", min: 0, max: LARGEST_SEED, unit: "" };
@@ -56,9 +56,10 @@ function addressed(controls) {
 
 /** Write the settings that differ from the defaults into the address. */
 export function settingsToAddress({ key, controls, s, defaults }) {
-  const names = [...addressed(controls).keys()];
-  const changed = names.filter((name) => s[name] !== defaults[name] && s[name] !== null);
-  writeHash(key, changed.map((name) => `${name}=${s[name]}`).join(","));
+  const kept = addressed(controls);
+  const changed = [...kept.keys()].filter((name) => s[name] !== defaults[name] && s[name] !== null);
+  const written = (name) => (kept.get(name).kind === "text" ? encodeURIComponent(s[name]) : s[name]);
+  writeHash(key, changed.map((name) => `${name}=${written(name)}`).join(","));
 }
 
 /** An address that leads to this explorer with its settings. */
@@ -119,6 +120,9 @@ function settingOf(control, text, t) {
   if (control.kind === "check") {
     const isBoolean = text === "true" || text === "false";
     return isBoolean ? text === "true" : undefined;
+  }
+  if (control.kind === "text") {
+    return text;
   }
   if (control.kind === "select") {
     const option = control.options.find(([value]) => String(value) === text);

@@ -21,10 +21,16 @@ const KINDS = {
   buttons: makeButtons,
 };
 
-/** The part of the page for one control: {control, element, show, place (sliders only)}. */
+const TOOLS = { make, makeButton, saveFile, setText }; // for a control that brings what builds it
+
+/**
+ * The part of the page for one control: {control, element, show, place (sliders only), end (optional)}. A
+ * kind that is not among ours brings its own build(explorer, control, tools).
+ */
 export function makeControl(explorer, control) {
   const kind = control.kind || "slider";
-  const part = KINDS[kind](explorer, control);
+  const build = KINDS[kind] ?? control.build;
+  const part = build(explorer, control, TOOLS);
   part.element.classList.add("explorer-control", kind);
   return { control, ...part };
 }
@@ -74,7 +80,7 @@ function makeSelect(explorer, control) {
 }
 
 function makeEntry(explorer, control) {
-  const id = `${explorer.id}-entry`;
+  const id = `${explorer.id}-${control.key ?? "entry"}`;
   const box = make("input", {
     type: "text",
     id,
@@ -83,7 +89,7 @@ function makeEntry(explorer, control) {
     className: "explorer-value",
   });
   const enter = () => {
-    explorer.change(control.enter(box.value, explorer.s, explorer.r));
+    explorer.change(control.enter(box.value, explorer.s, explorer.r, explorer.t));
     box.value = "";
   };
   box.addEventListener("keydown", (event) => {

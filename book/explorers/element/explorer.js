@@ -285,6 +285,7 @@ export class Explorer {
     this.playing = null;
     this.moving = null;
     this.work = null;
+    this.parts.forEach((part) => part.end?.());
     [this.frame, this.later, this.redrawing].forEach((frame) => cancelAnimationFrame(frame));
     this.frame = 0;
     [this.pause, this.unsaid].forEach(clearTimeout);

@@ -31,6 +31,11 @@ export function defaultsOf(view, controls, table) {
   return { ...defaults, ...view.start };
 }
 
+/** Does it hold what the reader has brought or recorded? Neither an address nor Python keeps that. */
+export function isData({ kind }) {
+  return kind === "file" || kind === "sensor";
+}
+
 /** The value of a control that is a number; one that nobody chose may follow the others. */
 export function valueOf(control, s) {
   return s[control.name] ?? control.auto?.(s) ?? 0;

@@ -93,7 +93,7 @@ function typedInput(explorer, control) {
     className: "explorer-value",
     "aria-label": t.say(WORDS.typed, { name }),
   });
-  const value = () => accepted(control, number(typed.value), t);
+  const value = () => accepted(control, number(typed.value, t.language), t);
   typed.addEventListener("change", () => {
     safely(explorer, () => explorer.change({ [control.name]: value() }));
   });

@@ -1,9 +1,9 @@
 // The table in a grid: the longest run of rows with numbers, its header, and what lies around. Twin of
 // kalman_lib/data/block.py. A grid is a list of [line, cells]; a blank line has no cells.
 import { InputError } from "../language/input.js";
-import { strip, words } from "./blanks.js";
+import { words } from "./blanks.js";
 import { hasLetter, isGap, isValue, quoted, shownCell } from "./cells.js";
-import { AGGREGATES, isUnit } from "./units.js";
+import { headerOf, plainUnit } from "./header.js";
 
 const SUMMARIES = new Set(
   [
@@ -11,8 +11,6 @@ const SUMMARIES = new Set(
     ["maksimum", "minimum", "median", "std", "sd", "simpangan baku"],
   ].flat(),
 );
-const HEADER_LINES = 10; // above the numbers
-const LOOKED_AT = 20; // rows that tell whether the first one is a header
 
 /**
  * {rows, names, units, passed, hasHeader} of a grid, null if there is no number; names and units are empty
@@ -51,10 +49,6 @@ function plainName(name) {
     start++;
   }
   return words(text.slice(start)).join(" ");
-}
-
-function plainUnit(cell) {
-  return strip(strip(strip(shownCell(cell)), "()[]"));
 }
 
 /** The cells of a header over so many columns; R leaves out the name of the first one. */
@@ -195,18 +189,26 @@ function checkNeighbours(grid, start, stop) {
   const below = grid[stop]?.[1] ?? [];
   checkWidths(grid, start, below.length > 0 && areAllNumbers(below) ? stop + 1 : stop);
   checkAbove(grid, start, width);
-  if (width === 1 && below.length === 1 && words(shownCell(below[0])).length === 1) {
+  if (width === 1 && below.length === 1 && (isCell(shownCell(below[0])) || areDigits(below))) {
     const [head] = headerOf(grid, start, stop);
     const name = head === null ? "1" : shownCell(grid[head][1][0]);
     throw noNumber(grid[stop][0], name, below[0]);
   }
 }
 
-/** Digits without a letter directly above are no title. */
+/** A single word or a formula: no remark below a table. */
+function isCell(text) {
+  return words(text).length === 1 || text.startsWith("=");
+}
+
+/** Digits, and no letter: no title. */
+function areDigits(cells) {
+  return cells.some((cell) => /\p{Nd}/u.test(shownCell(cell))) && !cells.some(hasLetter);
+}
+
 function checkAbove(grid, start, width) {
   const above = grid[start - 1]?.[1] ?? [];
-  const hasDigit = above.some((cell) => /\p{Nd}/u.test(shownCell(cell)));
-  if (above.length === width && !above.some(hasLetter) && hasDigit) {
+  if (above.length === width && areDigits(above)) {
     const cell = above.find((one) => !isGap(one));
     throw noNumber(grid[start - 1][0], "1", cell);
   }
@@ -222,74 +224,4 @@ function checkWidths(grid, start, reach) {
   if (odd) {
     throw oddRow(odd[0], odd[1].length, width);
   }
-}
-
-// --- the header --------------------------------------------------------------------------------------------
-
-/** [row of the names or null, row of the units or null, first row of the numbers]. */
-export function headerOf(grid, start, stop) {
-  const width = grid[start][1].length;
-  if (namesTheNext(grid, start, stop)) {
-    return [start, null, start + 1];
-  }
-  const above = [];
-  for (let k = Math.max(0, start - HEADER_LINES); k < start; k++) {
-    if (grid[k][1].length > 0) {
-      above.push(k);
-    }
-  }
-  while (above.length > 0 && areAggregates(grid[above.at(-1)][1])) {
-    above.pop();
-  }
-  const [second, last] = [above.at(-2), above.at(-1)];
-  if (last === undefined || !isHeader(grid[last][1], width)) {
-    return [null, null, start];
-  }
-  const hasTwo = second !== undefined && isHeader(grid[second][1], width);
-  return hasTwo && areUnits(grid[last][1]) ? [second, last, start] : [last, null, start];
-}
-
-/** Is the first row of the run one of names, some of which are numbers: t, 1, 2? */
-function namesTheNext(grid, start, stop) {
-  const rows = [];
-  for (let k = start; k < stop && rows.length < LOOKED_AT; k++) {
-    if (grid[k][1].length > 0) {
-      rows.push(grid[k][1]);
-    }
-  }
-  return rows.length > 1 && rows[0].some((cell, i) => namesColumn(cell, rows.slice(1), i));
-}
-
-function namesColumn(cell, rows, i) {
-  const isNumber = (row) => isValue(row[i]);
-  const isName = hasLetter(cell) && !isValue(cell);
-  return isName && rows.some(isNumber) && rows.every((row) => isNumber(row) || isGap(row[i]));
-}
-
-/** Can this row name so many columns? */
-function isHeader(cells, width) {
-  if (!cells.some((cell) => hasLetter(cell) && !isGap(cell))) {
-    return false;
-  }
-  const filled = cells.filter((cell) => cell !== "").length;
-  if (width === 1) {
-    return cells.length === 1;
-  }
-  if (cells.length === width - 1) {
-    return width > 2 && filled === cells.length;
-  }
-  return cells.length >= width && (filled > 1 || cells[0] === "");
-}
-
-function areUnits(cells) {
-  const isNone = (text) => text === "" || text === "-";
-  const inBrackets = (cell) => /^[([][^()[\]]{0,20}[)\]]$/.test(shownCell(cell));
-  const texts = cells.map(plainUnit);
-  const areKnown = texts.every((text, i) => isNone(text) || isUnit(text) || inBrackets(cells[i]));
-  return areKnown && !texts.every(isNone);
-}
-
-function areAggregates(cells) {
-  const texts = cells.filter((cell) => cell !== "").map((cell) => shownCell(cell).toLowerCase());
-  return texts.length > 0 && texts.every((text) => AGGREGATES.has(text));
 }

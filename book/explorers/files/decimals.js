@@ -1,6 +1,7 @@
 // Which decimal sign do the numbers of a table have? Twin of kalman_lib/data/decimals.py.
 import { InputError } from "../language/input.js";
 import { numberIn, quoted } from "./cells.js";
+import { CURRENCIES } from "./units.js";
 
 const SIGNS = [",", "."];
 const ROUND = /^[^0-9]*[0-9]{1,3}[.,]000[^0-9]*$/;
@@ -50,6 +51,9 @@ function signsIn(rows, columns) {
     const likely = cell.includes(",") ? "," : ".";
     if (readings.length === 1 && !proof.has(readings[0])) {
       proof.set(readings[0], [line, cell]);
+    } else if (readings.length === 2 && CURRENCIES.includes(numberIn(cell, ".")[1])) {
+      const sign = likely === "." ? "," : "."; // money: thousands
+      proof.set(sign, proof.get(sign) ?? [line, cell]);
     } else if (readings.length === 2) {
       isRound &&= ROUND.test(cell.slice(0, LOOKED_AT));
       if (!maybe.has(likely)) {

@@ -9,7 +9,7 @@ const MAX_NAMES = 1000;
 const MAX_DEPTH = 4; // brackets around a list
 const NAME_AT_THE_END = new RegExp(`${NAME}[${BLANK}]{0,9}$`, "u");
 const ASSIGNED_FIRST = new RegExp(`^${NAME}[${BLANK}]{0,9}=`, "u");
-const HEAD = new RegExp(`^[\\p{L}\\p{N}_.=${BLANK}]*$`, "u");
+const HEAD = new RegExp(`^[\\p{L}\\p{N}_.=:"'${BLANK}]*$`, "u");
 const ALLOWED = new RegExp(`^[0-9${BLANK}.,;eE+\\-\\u2212\\[\\](){}nNaAuUlLoOiIfF]*$`);
 const DTYPE = /, {0,9}dtype {0,9}=[A-Za-z0-9_."' ]{1,20}\)$/;
 const SEPARATORS = [",", " ", "\n", ";"];
@@ -92,7 +92,8 @@ function statement(whole) {
 }
 
 /** "[[0, 21.5], [1, 21.7]]" -> [["0", "21.5"], ["1", "21.7"]]; null if it is no list. */
-function rowsOf(inside) {
+function rowsOf(text) {
+  const inside = text.replaceAll("...\n", " "); // goes on in the next line
   if (!ALLOWED.test(inside)) {
     return null;
   }

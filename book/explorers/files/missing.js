@@ -34,8 +34,9 @@ export function suspects(name, unit, values, explained) {
   const doubtful = [];
   const isCode = new Set([...CODES, ...sure]);
   const rest = values.filter((value) => Number.isFinite(value) && !isCode.has(value));
-  if (rest.length < 2) {
-    return { sure, doubtful };
+  if (rest.length === 0) {
+    const others = CODES.filter((code) => !OF_THERMOMETERS.includes(code) && !sure.includes(code));
+    return { sure, doubtful: others.filter((code) => there.has(code)) }; // there is nothing to judge them by
   }
   const low = rest.reduce((a, b) => Math.min(a, b));
   const high = rest.reduce((a, b) => Math.max(a, b));

@@ -30,11 +30,11 @@ export function about({ columns, units, time, value, skipped, decimal }, passed)
   ];
   if (time) {
     const shown = withUnit(time, units);
-    notes.push({ en: `time: ${shown}`, id: `waktu: ${shown}` });
+    notes.push({ en: `time column: ${shown}`, id: `kolom waktu: ${shown}` });
   }
   if (columns.size > 1) {
     const shown = withUnit(value, units);
-    notes.push({ en: `measured: ${shown}`, id: `terukur: ${shown}` });
+    notes.push({ en: `measured column: ${shown}`, id: `kolom terukur: ${shown}` });
   }
   if (skipped.length > 0) {
     const shown = listed(skipped);

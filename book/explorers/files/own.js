@@ -98,13 +98,13 @@ function codeOptions(s) {
 }
 
 /** What was typed, "−999; 85", as the value of the choice above. */
-function typedCodes(text) {
+function typedCodes(text, s, r, t) {
   const parts = text.split(/[;\s]/).filter(Boolean);
   if (parts.length === 0) {
     return { missing: "auto" };
   }
   try {
-    return { missing: parts.map(number).join(" ") };
+    return { missing: parts.map((part) => number(part, t.language)).join(" ") };
   } catch {
     const shown = text.trim().slice(0, LONGEST_QUOTE);
     throw new InputError(inBoth(OWN.unclear_codes, { text: shown }));
@@ -192,6 +192,7 @@ function readingControls(all, visible) {
     }),
     {
       kind: "entry",
+      key: "codes",
       ...all.other_codes,
       inputMode: "text",
       button: all.take_codes,

@@ -3,8 +3,9 @@
 // which a number hides among other things ("10:00 21" beside "5": the comma was a decimal one).
 import { InputError } from "../language/input.js";
 import { behindLast, strip, words } from "./blanks.js";
-import { headerOf, longestRun } from "./block.js";
+import { longestRun } from "./block.js";
 import { isGap, isNumber, isValue, numberIn, quoted, toNumber } from "./cells.js";
+import { headerOf } from "./header.js";
 import { isUnit } from "./units.js";
 
 const ONE_SIGN = ["tab", "semicolon"];
@@ -41,9 +42,9 @@ function compared({ score }, other, length = score.length) {
 }
 
 /**
- * {name, rows, score} of a grid, null if it cannot be meant. score: rows without two numbers in one cell; is
- * there a header as wide as the table; minus the cells in which a number stands beside words; minus the cells
- * of words.
+ * {name, rows, lines, score} of a grid, null if it cannot be meant. score: rows without two numbers in one
+ * cell; is there a header as wide as the table; minus the cells in which a number stands beside words; minus
+ * the cells of words.
  */
 function weighed(name, grid, decimal) {
   const run = longestRun(grid);
@@ -51,13 +52,15 @@ function weighed(name, grid, decimal) {
     return null;
   }
   const [start, stop] = run;
-  const rows = grid.slice(start, stop).flatMap(([, cells]) => (cells.length > 0 ? [cells] : []));
+  const run_rows = grid.slice(start, stop).filter(([, cells]) => cells.length > 0);
+  const rows = run_rows.map(([, cells]) => cells);
   if (!isPossible(name, rows, decimal)) {
     return null;
   }
   const [head, , first] = headerOf(grid, start, stop);
   const header = head === null ? [] : grid[head][1];
   const body = first > start ? rows.slice(1) : rows;
+  const lines = run_rows.slice(-body.length).map(([line]) => line);
   const texts = body.flat().filter((cell) => !isGap(cell) && !isValue(cell));
   let beside = texts.filter(holdsOne).length;
   if (name === "blank") {
@@ -67,6 +70,7 @@ function weighed(name, grid, decimal) {
   return {
     name,
     rows: body,
+    lines,
     score: [rows.length - crowdedIn(name, body), Number(fits), -beside, -texts.length],
   };
 }
@@ -129,8 +133,9 @@ function holdsOne(cell) {
 /** The best reading, unless commas may as well be decimal ones; then the remark says so. */
 function betweenCommas(best, readings, decimal) {
   if (best.name === "comma and blank") {
-    return [best.name, remarkOn(best.rows)];
+    return [best.name, remarkOn(best)];
   }
+  checkOpen(best, decimal);
   const [comma, lines] = [readings.get("comma"), readings.get("lines")];
   const isOfCommas = best.name === "comma" || best.name === "lines";
   if (!isOfCommas || !comma || !lines || decimal) {
@@ -140,25 +145,46 @@ function betweenCommas(best, readings, decimal) {
   if (!isOpen || !lines.rows.some((row) => row[0].includes(","))) {
     return [best.name, null];
   }
-  return ["lines", remarkOn(lines.rows)];
+  return ["lines", remarkOn(lines)];
 }
 
 /** That commas were taken for decimal ones; InputError where that is not certain. */
-function remarkOn(rows) {
+function remarkOn({ rows, lines }) {
   const cells = rows.flat();
-  const shown = quoted(cells.find((cell) => cell.includes(",")));
+  const hasComma = (cell) => cell.includes(",");
+  const at = rows.findIndex((row) => row.some(hasComma));
+  const line = lines[at];
+  const shown = quoted(rows[at].find(hasComma));
   if (cells.some((cell) => toNumber(cell, ",") === null && isNumber(cell))) {
-    throw new InputError({
-      en:
-        `${shown}: the comma may separate thousands or columns; add a header line, use semicolons ` +
-        "between columns, or choose the decimal sign.",
-      id:
-        `${shown}: koma dapat memisahkan ribuan atau kolom; tambahkan baris judul, pisahkan kolom ` +
-        "dengan titik koma, atau pilih tanda desimal.",
-    });
+    throw either(line, rows[at].find(hasComma));
   }
   return {
     en: `${shown} was read as one number with decimal comma, not as columns`,
     id: `${shown} dibaca sebagai satu bilangan dengan koma desimal, bukan beberapa kolom`,
   };
+}
+
+/** InputError if the last two columns may be one. */
+function checkOpen({ name, rows, lines, score: [, fits] }, decimal) {
+  if (name === "comma" && !decimal && fits === 0 && rows.every(isOpenRow)) {
+    throw either(lines[0], rows[0].join(","));
+  }
+}
+
+/** A time and two whole numbers: 10:00,21,5 may end with 21.5. */
+function isOpenRow(row) {
+  const isWhole = (cell) => /^\p{Nd}+$/u.test(cell);
+  return row.length === 3 && !isNumber(row[0]) && isWhole(row[1]) && isWhole(row[2]);
+}
+
+function either(line, cell) {
+  const shown = quoted(cell);
+  return new InputError({
+    en:
+      `Line ${line}, ${shown}: the comma may separate thousands or columns; add a header line, ` +
+      "use semicolons between columns, or choose the decimal sign.",
+    id:
+      `Baris ${line}, ${shown}: koma dapat memisahkan ribuan atau kolom; tambahkan baris judul, ` +
+      "pisahkan kolom dengan titik koma, atau pilih tanda desimal.",
+  });
 }

@@ -30,6 +30,7 @@ export const CURRENCIES = ["Rp", "IDR", "US$", "USD", "EUR", "$", "€", "£"];
 export const AGGREGATES = setOf("avg smp min max std tot mean inst"); // a line of some loggers
 
 const UNITS = new Set([...Object.keys(TIME_UNITS), ...Object.keys(SPEED_UNITS), ...OTHER_UNITS.split(" ")]);
+const LONG_UNITS = new Set([...UNITS].filter(({ length }) => length > 2).map((unit) => unit.toLowerCase()));
 const SPELLINGS = new Map();
 for (const table of [TIME_UNITS, SPEED_UNITS]) {
   for (const [unit, [, spellings]] of Object.entries(table)) {
@@ -48,7 +49,7 @@ const TIME_WORDS = setOf(
     "bulan month",
 );
 export const CLOCK_WORDS = setOf("pukul jam waktu time");
-const ROW_WORDS = setOf("no nomor nr num number index indeks idx id row baris record urut # n k");
+const ROW_WORDS = setOf("no nomor nr num number index indeks idx id row baris record rec urut # n k");
 export const SPEED_WORDS = setOf("v speed velocity kecepatan laju kec");
 export const VALUE_WORDS = setOf(
   "v speed velocity kecepatan laju kec suhu temp temperature temperatur z y value nilai measurement " +
@@ -80,7 +81,8 @@ export function isUnit(text) {
   if (text.length > LONGEST_UNIT || text === "") {
     return false;
   }
-  return UNITS.has(text) || UNITS.has(canonical(text));
+  const unit = canonical(text);
+  return UNITS.has(text) || UNITS.has(unit) || LONG_UNITS.has(unit.toLowerCase());
 }
 
 /** The words of a header in small letters, without brackets and what stands in them. */
@@ -94,7 +96,8 @@ export function unitOf(header) {
   const [name, brackets] = withoutBrackets(header.slice(0, LONGEST));
   for (const inside of brackets) {
     const isShort = inside.length > 0 && inside.length <= 4;
-    if (isUnit(inside) || isShort || /[/°%²^]/.test(inside)) {
+    const isSigned = inside.length <= 10 && !/[ :]/.test(inside) && /[/°%²^]/.test(inside);
+    if (isUnit(inside) || isShort || isSigned) {
       return canonical(inside);
     }
   }

@@ -1,5 +1,7 @@
 // What stands around an explorer in a notebook: a cell (see element/host.js). The settings go to the kernel
 // while the reader moves something, and come from it when Python sets them. No address is read or written.
+import { isData } from "../element/settings.js";
+
 const EVERY = 100; // ms between two messages to the kernel
 
 /** settings: the whole state, files too, of the explorer that was in this place before, if there was one. */
@@ -52,9 +54,9 @@ function bridgeTo(model, explorer) {
   return { tellSoon, leave };
 }
 
-/** What of the state Python can hold: no files; NaN becomes null. */
+/** What of the state Python can hold: no files, no recordings; NaN becomes null. */
 function plain({ s, controls }) {
-  const files = new Set(controls.filter(({ kind }) => kind === "file").map(({ name }) => name));
+  const files = new Set(controls.filter(isData).map(({ name }) => name));
   const kept = Object.entries(s).filter(([name]) => !files.has(name));
   return JSON.parse(JSON.stringify(Object.fromEntries(kept)));
 }

@@ -156,6 +156,52 @@ export const DRIFT = {
   },
 };
 
+// --- the reader's own phone --------------------------------------------------------------------------------
+
+export const PHONE = {
+  turn: { id: "Cara memutarnya", en: "How it is turned" },
+  roll: { id: "rebah ke kanan (sensor sudut: kemiringan)", en: "onto its right side (angle sensor: tilt)" },
+  pitch: { id: "tepi atas naik (sensor sudut: kemiringan)", en: "top edge up (angle sensor: tilt)" },
+  yaw: { id: "berputar di meja (sensor sudut: kompas)", en: "round on the table (angle sensor: compass)" },
+  centred: {
+    id: "kurangi bacaan dengan rata-ratanya selama 5 s pertama",
+    en: "subtract the mean reading of the first 5 s",
+  },
+  rest: {
+    id:
+      "Ponsel ini, selama {rest} s pertama: rata-rata bacaan giroskop {mean} °/s, " +
+      "simpangan bakunya {sigma} °/s.",
+    en:
+      "This phone, in its first {rest} s: mean reading of the gyroscope {mean} °/s, " +
+      "standard deviation {sigma} °/s.",
+  },
+  moved: {
+    id: "Ponsel bergerak selama {rest} s pertama (simpangan baku {sigma} °/s): letakkan, lalu mulai lagi.",
+    en:
+      "The phone moved in its first {rest} s (standard deviation {sigma} °/s): " +
+      "lay it down and start again.",
+  },
+  alone: {
+    id: "Setelah {time} s giroskop saja menunjukkan {alone}°; kipasnya ±{fan}°.",
+    en: "After {time} s the gyroscope alone says {alone}°; the fan is ±{fan}°.",
+  },
+  together: {
+    id: "Bersama sensor sudut: {x}° ± {band}°.",
+    en: "With the angle sensor: {x}° ± {band}°.",
+  },
+  ghosts: {
+    title: { id: "Ponsel ini", en: "This phone" },
+    alt: {
+      id:
+        "Ponsel pada bacaan terakhir menurut giroskop saja, sensor sudut, dan filter; " +
+        "tipis: cara ia diletakkan.",
+      en:
+        "The phone at the last reading by the gyroscope alone, the angle sensor and the filter; " +
+        "thin: how it was laid down.",
+    },
+  },
+};
+
 // --- the map of a wrong sigma ------------------------------------------------------------------------------
 
 export const VERDICT = {

@@ -1,8 +1,10 @@
-// The first explorer of chapter 6: one axis in the hand, and three opinions of it.
+// The first explorer of chapter 6: one axis in the hand, and three opinions of it. It is synthetic, or the
+// reader's own phone (phone.js).
 import { rmse } from "../../numerics/metrics.js";
 import { generator } from "../../numerics/random.js";
 import { HAND_STEP, PUSHED, SECONDS, addUp, filterHeld, hold } from "./hand.js";
 import { DEG } from "./model.js";
+import * as phone from "./phone.js";
 import { gainQuestion } from "./questions.js";
 import { size } from "./figures.js";
 import { TILT, TILT_CONTROLS } from "./words.js";
@@ -11,7 +13,13 @@ const ARM = 1; // length of the craft's arm, in its figure
 const EVERYWHERE = 1e4; // pixels: beyond the canvas
 const LARGEST = 45; // degrees that the reader can hold it at
 
+const { hasPhone } = phone;
+
 function compute(s, memo) {
+  return hasPhone(s) ? phone.follow(s) : ofOneAxis(s, memo);
+}
+
+function ofOneAxis(s, memo) {
   const held = hold(generator(s.seed), s);
   memo.filter = filterHeld(s, held, memo.filter);
   const { T, x, z, u } = held;
@@ -26,7 +34,11 @@ function compute(s, memo) {
 
 // --- figures -----------------------------------------------------------------------------------------------
 
-function drawAngles({ t, x, z, gyro, estimate, k }) {
+function drawAngles(r, s) {
+  if (hasPhone(s)) {
+    return phone.drawAngle(r, s);
+  }
+  const { t, x, z, gyro, estimate, k } = r;
   return {
     xlim: [0, SECONDS],
     layers: [
@@ -48,6 +60,9 @@ function paintPush(ctx, X, Y, colours) {
 
 /** The craft from behind, four times: as it is, and as gyroscope, accelerometer and filter see it. */
 function drawCraft({ x, z, gyro, estimate, k }, s) {
+  if (hasPhone(s)) {
+    return { xlim: [0, 1], ylim: [0, 1], layers: [] };
+  }
   const pushed = k * HAND_STEP + HAND_STEP >= PUSHED[0] && k * HAND_STEP + HAND_STEP < PUSHED[1];
   return {
     xlim: [-1.6, 1.6],
@@ -108,6 +123,9 @@ function turnByHand(right, up) {
 // --- words and numbers -------------------------------------------------------------------------------------
 
 function outcome(r, s, t) {
+  if (hasPhone(s)) {
+    return phone.outcome(r, s, t);
+  }
   const { k, rmse: off, x, z, gyro, estimate } = r;
   const round = (angle) => size(Number(angle.toFixed(1)), t);
   const now = { x: round(x[k]), z: round(z[k]), gyro: round(gyro[k]), filter: round(estimate[k]) };
@@ -119,7 +137,11 @@ function outcome(r, s, t) {
   ].join(" ");
 }
 
-function numbers({ T, t: time, x, z, u, gyro, estimate, filter }, s, t) {
+function numbers(r, s, t) {
+  if (hasPhone(s)) {
+    return phone.numbers(r, s, t);
+  }
+  const { T, t: time, x, z, u, gyro, estimate, filter } = r;
   const rows = [];
   for (let k = 4; k < T; k += 5) {
     const values = [time[k], x[k], u[k], gyro[k], z[k], filter.K[k], estimate[k]];
@@ -128,30 +150,63 @@ function numbers({ T, t: time, x, z, u, gyro, estimate, filter }, s, t) {
   return { head: ["t (s)", "x_true (°)", "u (°/s)", t.say(TILT.gyro), "z (°)", "K", "x (°)"], rows };
 }
 
-const controls = [
+const endOf = (s) => (hasPhone(s) ? phone.lastTime(s) : SECONDS);
+const isSynthetic = (s) => !hasPhone(s);
+
+const sliders = [
   { name: "R_acc", symbol: "R", unit: "°²", log: true, min: 0.01, max: 1e4, step: 0.1, default: 100 },
-  { name: "when", symbol: "t", unit: "s", min: 0.1, max: SECONDS, step: 0.1, default: 13.5 },
-  { name: "bias", symbol: "s" },
-  { name: "push", symbol: "a", unit: "m/s²", min: -5, max: 5, step: 0.1, default: 3 },
-  { name: "held", symbol: "", unit: "°", min: -LARGEST, max: LARGEST, step: 1, default: 20 },
+  {
+    name: "when",
+    symbol: "t",
+    unit: "s",
+    min: 0.1,
+    max: SECONDS,
+    step: 0.1,
+    default: 13.5,
+    end: endOf,
+    visible: (s) => !s.motion?.live,
+  },
+  { name: "bias", symbol: "s", visible: isSynthetic },
+  { name: "push", symbol: "a", unit: "m/s²", min: -5, max: 5, step: 0.1, default: 3, visible: isSynthetic },
+  {
+    name: "held",
+    symbol: "",
+    unit: "°",
+    min: -LARGEST,
+    max: LARGEST,
+    step: 1,
+    default: 20,
+    visible: isSynthetic,
+  },
 ].map((control) => ({ ...control, ...TILT_CONTROLS[control.name] }));
 
 export const tilt = {
   name: TILT.name,
   noise: true,
   start: { bias: 0.5, sigma_acc: 1, sigma_gyr: 1 },
-  controls,
+  controls: [...sliders, ...phone.controls],
   compute,
   plots: [
-    { ...TILT.craft, height: 130, half: true, equal: true, bare: true, draw: drawCraft, drag: turnByHand },
+    {
+      ...TILT.craft,
+      height: 130,
+      half: true,
+      equal: true,
+      bare: true,
+      visible: isSynthetic,
+      draw: drawCraft,
+      drag: turnByHand,
+    },
+    phone.ghosts,
     {
       ...TILT.angles,
       xlabel: "t (s)",
       height: 210,
       half: true,
       draw: drawAngles,
-      drag: (time) => ({ when: Math.max(HAND_STEP, Math.min(SECONDS, time)) }),
+      drag: (time, _, s) => ({ when: Math.max(HAND_STEP, Math.min(endOf(s), time)) }),
     },
+    phone.instruments,
   ],
   outcome,
   numbers,

@@ -138,14 +138,15 @@ export const TILT = {
     },
   },
   angles: {
-    title: { id: "Roll (derajat)", en: "Roll (degrees)" },
+    title: { id: "Sudut (°)", en: "Angle (°)" },
     alt: {
       id:
         "Roll selama 20 detik: yang sebenarnya, giroskop saja, akselerometer saja, dan filter; " +
-        "pita menandai detik ketika quadrotor didorong.",
+        "pita menandai detik ketika quadrotor didorong. Dari ponsel sendiri: sudut yang dipilih.",
       en:
         "Roll over 20 seconds: the true one, the gyroscope alone, the accelerometer alone and the " +
-        "filter; a band marks the second in which the quadrotor is pushed.",
+        "filter; a band marks the second in which the quadrotor is pushed. " +
+        "Of our own phone: the chosen angle.",
     },
   },
   all: {
@@ -170,4 +171,39 @@ export const TILT_CONTROLS = {
   when: { id: "saat yang digambar", en: "the moment that is drawn" },
   push: { id: "dorongan ke kiri", en: "push to the left" },
   held: { id: "dimiringkan sampai", en: "tilted as far as" },
+};
+
+// --- the reader's own phone --------------------------------------------------------------------------------
+
+export const PHONE = {
+  compass: { id: "kompas", en: "compass" },
+  use_compass: { id: "kompas dipakai", en: "compass in use" },
+  play: { id: "Putar ulang", en: "Replay" },
+  ghosts: {
+    title: { id: "Tiga pendapat tentang ponsel", en: "Three opinions of the phone" },
+    alt: {
+      id: "Tiga ponsel dilihat dari belakang dan atas: menurut giroskop, akselerometer, dan filter.",
+      en: "Three outlines of a phone from behind and above: by gyroscope, accelerometer and filter.",
+    },
+  },
+  instruments: {
+    title: { id: "Waterpas dan kompas", en: "Level and compass" },
+    alt: {
+      id: "Waterpas dengan tiga gelembung dan kompas dengan jarumnya, berwarna seperti ketiga pendapat.",
+      en: "A level with three bubbles and a compass with its needles, coloured like the three opinions.",
+    },
+  },
+  now: {
+    id:
+      "Pada t = {when} s roll menurut giroskop {gyro_roll}°, akselerometer {acc_roll}°, " +
+      "filter {filter_roll}°; pitch {gyro_pitch}°, {acc_pitch}°, {filter_pitch}°.",
+    en:
+      "At t = {when} s the roll is {gyro_roll}° by the gyroscope, {acc_roll}° by the accelerometer, " +
+      "{filter_roll}° by the filter; the pitch {gyro_pitch}°, {acc_pitch}°, {filter_pitch}°.",
+  },
+  gain: { id: "Dengan R = {R} penguatannya K = {K}.", en: "With R = {R} the gain is K = {K}." },
+  no_compass: {
+    id: "Tanpa kompas, yaw dimulai dari 0 dan hanya giroskop yang memutarnya.",
+    en: "Without a compass the yaw starts at 0, and only the gyroscope turns it.",
+  },
 };

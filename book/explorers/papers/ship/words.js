@@ -74,8 +74,8 @@ export const CONTROLS = {
   smooth: { id: "penghalus (maju, lalu mundur)", en: "smoother (forwards, then backwards)" },
   first: { id: "mulai dari pengukuran pertama", en: "start at the first measurement" },
   text: {
-    id: "Data sendiri (tetap di perangkat ini): tempelkan kolom waktu dan kecepatan",
-    en: "Data of your own (it stays on this device): paste columns of time and speed",
+    id: "Data sendiri (tetap di perangkat ini): tempelkan waktu dan kecepatan, misalnya dari lembar kerja",
+    en: "Data of your own (it stays on this device): paste times and speeds, say from a spreadsheet",
   },
   placeholder: { id: "0,0\t0,12\n0,1\t0,15", en: "0.0\t0.12\n0.1\t0.15" },
   value: { id: "Kolom kecepatan", en: "Speed column" },

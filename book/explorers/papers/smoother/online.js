@@ -124,7 +124,7 @@ const controls = [
     kind: "entry",
     ...ONLINE_CONTROLS.entry,
     button: ONLINE_CONTROLS.add,
-    enter: (text, s) => ({ typed: [...s.typed, number(text)] }),
+    enter: (text, s, r, t) => ({ typed: [...s.typed, number(text, t.language)] }),
   },
   {
     kind: "buttons",

@@ -1,0 +1,132 @@
+// The data of the workshop: made up by the pattern that was chosen, or what the reader brought.
+import { InputError } from "../../language/input.js";
+import { inBoth } from "../../language/speaker.js";
+import { generator } from "../../numerics/random.js";
+import { OWN_F, OWN_H, PATTERN, SECOND, STEPS, median, simulate } from "./model.js";
+import { readMatrices } from "./matrices.js";
+import { columnsFrom, isOwn } from "./table.js";
+import { NOTES, WRONG } from "./words.js";
+
+// The noise in made-up data, by pattern; that of the sensors is the same for all
+const TRUE_Q = [NaN, 0.01, 1, 0.01, 1e-5, 0.1];
+const TRUE_R = 9;
+const TRUE_R2 = 1;
+
+const OUTLIERS = 0.05; // of the measurements
+const OUTLIER = 20; // standard deviations at most, and half of them at least
+const HOLE = [55, 75]; // the steps without a measurement
+
+/** What the data depends on. */
+const KEYS = [
+  ...["seed", "pattern", "second", "bias", "dt", "F", "H", "dirty", "hole"],
+  ...["motion", "text", "file", "sheet", "sign", "missing", "time", "value", "axis", "value2", "factor"],
+];
+
+/**
+ * {t (T), dt (T) or null, z (T m), u (T) or null, truth (T n) or null, F, H, x0, P0, note}: the data that is
+ * shown, and where its filter starts; memo keeps it while nothing about it changes.
+ */
+export function load(s, memo) {
+  const key = KEYS.map((name) => s[name]);
+  if (!memo.key?.every((value, i) => value === key[i])) {
+    const matrices = s.pattern === PATTERN.OWN ? readMatrices(s.F, s.H) : { F: OWN_F, H: OWN_H };
+    const data = isOwn(s) ? brought(s, matrices.H.length) : madeUp(s, matrices);
+    memo.data = { ...data, ...matrices, ...startOf(s, data) };
+    memo.key = key;
+    memo.fit = null;
+  }
+  return memo.data;
+}
+
+/** x0 is the first measurement, and P0 so large that it hardly counts: the square of what is seen. */
+function startOf(s, { z, m }) {
+  const first = z.filter((value, i) => i % m === 0 && !Number.isNaN(value));
+  const low = first.reduce((a, b) => Math.min(a, b), Infinity);
+  const high = first.reduce((a, b) => Math.max(a, b), -Infinity);
+  if (s.pattern === PATTERN.OWN) {
+    return { x0: 0, P0: 100 * Math.max(low ** 2, high ** 2) || 1 };
+  }
+  return { x0: first[0], P0: (high - low) ** 2 || first[0] ** 2 || 1 };
+}
+
+// --- made up -----------------------------------------------------------------------------------------------
+
+function madeUp(s, { F, H }) {
+  const truth = { ...s, q: TRUE_Q[s.pattern], R: TRUE_R, R2: TRUE_R2, x0: 0, P0: 1 };
+  const { z, x, u } = simulate(truth, generator(s.seed), STEPS, F, H);
+  const m = z.length / STEPS;
+  if (s.dirty) {
+    addOutliers(z, m, generator(s.seed + 1));
+  }
+  if (s.hole) {
+    z.fill(NaN, HOLE[0] * m, HOLE[1] * m);
+  }
+  const dt = s.pattern === PATTERN.OWN ? 1 : s.dt;
+  const t = Float64Array.from({ length: STEPS }, (_, k) => (k + 1) * dt);
+  return { t, dt: null, z, m, u, truth: x, note: NOTES.made_up };
+}
+
+function addOutliers(z, m, rng) {
+  for (let i = 0; i < z.length; i += m) {
+    const sign = rng.uniform() < 0.5 ? -1 : 1;
+    const size = OUTLIER * Math.sqrt(TRUE_R) * (0.5 + rng.uniform() / 2);
+    if (rng.uniform() < OUTLIERS) {
+      z[i] += sign * size;
+    }
+  }
+}
+
+/** The noise that a pattern starts with. */
+export function startingNoise(pattern) {
+  return { q: TRUE_Q[pattern] };
+}
+
+/** A second column about a rate needs a pattern that has it. */
+export function patternFor(second, pattern) {
+  const needed = { [SECOND.RATE]: PATTERN.VELOCITY, [SECOND.SECOND_RATE]: PATTERN.ACCELERATION };
+  return Math.max(pattern, needed[second] ?? 0);
+}
+
+// --- brought -----------------------------------------------------------------------------------------------
+
+/** Does the filter use a second column? */
+export function usesSecond(s, rows_of_H) {
+  return s.pattern === PATTERN.OWN ? rows_of_H > 1 : s.second !== SECOND.NONE;
+}
+
+function brought(s, rows_of_H) {
+  const { t, first, second, note } = columnsFrom(s, usesSecond(s, rows_of_H));
+  const other = second?.map((value) => value * s.factor);
+  const isInput = s.pattern !== PATTERN.OWN && s.second === SECOND.DRIVES;
+  const m = other && !isInput ? 2 : 1;
+  const z = new Float64Array(m * first.length);
+  for (let k = 0; k < first.length; k++) {
+    z[m * k] = first[k];
+    if (m > 1) {
+      z[m * k + 1] = other[k];
+    }
+  }
+  const times = t === null ? evenTimes(s, first.length) : unevenTimes(t);
+  return { ...times, z, m, u: isInput ? withoutGaps(other) : null, truth: null, note };
+}
+
+function withoutGaps(u) {
+  const row = u.findIndex(Number.isNaN) + 1;
+  if (row > 0) {
+    throw new InputError(inBoth(WRONG.gap_in_input, { row: String(row) }));
+  }
+  return u;
+}
+
+/** {t, dt: null}: all steps are s.dt. */
+function evenTimes(s, T) {
+  const dt = s.pattern === PATTERN.OWN ? 1 : s.dt;
+  return { t: Float64Array.from({ length: T }, (_, k) => k * dt), dt: null };
+}
+
+/** {t, dt}: the step before each row; the one before the first is as long as most. */
+function unevenTimes(t) {
+  const dt = t.map((value, k) => value - t[k - 1]);
+  dt[0] = median(dt.subarray(1));
+  return { t, dt };
+}

@@ -1,0 +1,97 @@
+// The table of the reader's own: pasted, opened, or recorded with the sensors of the phone.
+import { broughtTable, chosenColumns, hasBrought, knownTable } from "../../files/own.js";
+import { seriesOf } from "../../files/series.js";
+import { InputError } from "../../language/input.js";
+import { inBoth } from "../../language/speaker.js";
+import { median } from "./model.js";
+import { NOTES, WRONG } from "./words.js";
+
+const LEAST_ROWS = 10;
+const LONG = [
+  ["d", 86400, 40000], // [unit, seconds, from this step on]
+  ["h", 3600, 1000],
+];
+
+/** Has the reader brought data, or recorded it? */
+export function isOwn(s) {
+  return Boolean(s.motion) || hasBrought(s);
+}
+
+const recordings = new WeakMap(); // {motion: its table}
+
+/** A recording of the phone's sensors as a table; an acceleration is taken at first. */
+function recorded(motion) {
+  if (!recordings.has(motion)) {
+    const { T, t, gyr, acc } = motion;
+    const along = (values, i) => Float64Array.from({ length: T }, (_, k) => values[3 * k + i]);
+    const columns = new Map([["t", t.slice(0, T)]]);
+    for (const [name, values] of Object.entries({ acc, gyr })) {
+      ["x", "y", "z"].forEach((axis, i) => columns.set(`${name} ${axis}`, along(values, i)));
+    }
+    const lines = Array.from({ length: T }, (_, k) => k + 1);
+    const about = { time: "t", value: "acc x", units: { t: "s" }, lines, note: NOTES.recorded };
+    recordings.set(motion, { columns, ...about });
+  }
+  return recordings.get(motion);
+}
+
+/** The table, null if there is none that can be read. */
+function tableOf(s) {
+  return s.motion ? recorded(s.motion) : knownTable(s);
+}
+
+/** The columns that the reader may choose from. */
+export function columnNames(s) {
+  return [...(tableOf(s)?.columns.keys() ?? [])];
+}
+
+/** Does the data come with its times? */
+export function isTimed(s) {
+  const table = isOwn(s) ? tableOf(s) : null;
+  return table !== null && (Boolean(s.motion) || chosenColumns(s, table).time !== null);
+}
+
+/**
+ * {t (T) or null, first (T), second (T) or null, note}: the columns that are used, where rows without a time
+ * are left out and equal times averaged.
+ */
+export function columnsFrom(s, needsSecond) {
+  const table = s.motion ? recorded(s.motion) : broughtTable(s);
+  const { time, value } = s.motion ? { time: "t", value: s.axis || table.value } : chosenColumns(s, table);
+  const others = [...table.columns.keys()].filter((name) => name !== time && name !== value);
+  const other = table.columns.has(s.value2) ? s.value2 : others[0];
+  if (needsSecond && !other) {
+    throw new InputError(WRONG.no_second);
+  }
+  const about = { ...table, time };
+  const { t, z, notes } = seriesOf(about, { time, value, unit: "s" }); // in whatever unit it is
+  const second = needsSecond ? seriesOf(about, { time, value: other, unit: "s" }).z : null;
+  if (z.length < LEAST_ROWS) {
+    throw new InputError(WRONG.short);
+  }
+  const [unit, scaled] = inLongUnits(t, table.units[time]);
+  const words = { value, other, time: time ?? "k", unit: unit ? ` (${unit})` : "" };
+  const taken = inBoth(needsSecond ? NOTES.taken_two : NOTES.taken, words);
+  return { t: scaled, first: z, second, note: joined([...notes.map(ended), taken, table.note]) };
+}
+
+/** Times in seconds with long steps are told in hours or days: then no number is tiny. */
+function inLongUnits(t, unit) {
+  if (t === null || unit !== "s") {
+    return [unit, t];
+  }
+  const step = median(t.subarray(1).map((value, k) => value - t[k]));
+  const found = LONG.find(([, , from]) => step >= from);
+  return found ? [found[0], t.map((value) => value / found[1])] : [unit, t];
+}
+
+/** A note as a sentence of its own. */
+function ended(note) {
+  const sentence = (text) => `${text.slice(0, 1).toUpperCase()}${text.slice(1)}.`;
+  return { id: sentence(note.id ?? ""), en: sentence(note.en ?? "") };
+}
+
+function joined(notes) {
+  const inLanguage = (language) => notes.map((note) => note[language]).join(" ");
+  return { id: inLanguage("id"), en: inLanguage("en") };
+}

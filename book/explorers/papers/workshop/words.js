@@ -1,0 +1,282 @@
+// What the explorer of chapter 7 says. The words of its verdict stand here, too.
+
+export const NAME = { id: "Bengkel filter", en: "The filter workshop" };
+
+export const GROUPS = {
+  data: { id: "1 Data", en: "1 Data" },
+  motion: { id: "2 Gerak", en: "2 Motion" },
+  noise: { id: "3 Derau", en: "3 Noise" },
+  check: { id: "4 Periksa", en: "4 Check" },
+  take: { id: "5 Simpan", en: "5 Save" },
+};
+
+export const PATTERNS = {
+  1: { id: "tetap", en: "it stays constant" },
+  2: { id: "jalan acak: berubah sedikit demi sedikit", en: "random walk: it drifts" },
+  3: { id: "kecepatan hampir tetap", en: "nearly constant velocity" },
+  4: { id: "percepatan hampir tetap", en: "nearly constant acceleration" },
+  5: { id: "F dan H buatan sendiri", en: "F and H of my own" },
+};
+
+export const SECONDS = {
+  1: { id: "tidak dipakai", en: "not used" },
+  2: { id: "sensor kedua untuk besaran yang sama", en: "another sensor of the same quantity" },
+  3: { id: "sensor kecepatannya", en: "a sensor of its velocity" },
+  4: { id: "sensor percepatannya", en: "a sensor of its acceleration" },
+  5: { id: "masukan yang diketahui, u", en: "a known input, u" },
+};
+
+export const NOTES = {
+  made_up: {
+    id: "Datanya sintetis, dibuat menurut pola itu.",
+    en: "The data is synthetic, made by that pattern.",
+  },
+  taken: {
+    id: "Yang disaring: {value}; waktunya: {time}{unit}.",
+    en: "Filtered is {value}; its times are {time}{unit}.",
+  },
+  taken_two: {
+    id: "Yang disaring: {value} dan {other}; waktunya: {time}{unit}.",
+    en: "Filtered are {value} and {other}; their times are {time}{unit}.",
+  },
+  recorded: {
+    id: "Data dari sensor perangkat ini: percepatan (acc) dalam m/s², laju putar (gyr) dalam °/s.",
+    en: "Data of this device's sensors: acceleration (acc) in m/s², rate of turn (gyr) in °/s.",
+  },
+};
+
+export const WRONG = {
+  no_second: {
+    id: "Tabel ini tidak punya kolom kedua: pilihlah “tidak dipakai” di bawah “2 Gerak”.",
+    en: "This table has no second column: choose “not used” below “2 Motion”.",
+  },
+  gap_in_input: {
+    id: "Masukan yang diketahui tidak boleh kosong, tetapi baris data ke-{row} kosong.",
+    en: "A known input may have no gap, but row {row} of the data is empty.",
+  },
+  short: {
+    id: "Filter memerlukan sedikitnya sepuluh baris data.",
+    en: "A filter needs at least ten rows of data.",
+  },
+};
+
+export const MATRICES = {
+  empty: { id: "{name} masih kosong.", en: "{name} is still empty." },
+  no_number: { id: "“{cell}” di dalam {name} bukan bilangan.", en: "“{cell}” in {name} is not a number." },
+  ragged: {
+    id: "Baris ke-{row} dari {name} berisi {has} bilangan, sedangkan baris pertamanya {first}.",
+    en: "Row {row} of {name} has {has} numbers, but its first row has {first}.",
+  },
+  square: {
+    id: "F harus persegi: sekarang {n} baris dan {m} kolom.",
+    en: "F must be square: it has {n} rows and {m} columns.",
+  },
+  large: {
+    id: "F berisi {n} keadaan; di sini paling banyak {most}.",
+    en: "F has {n} states; here {most} is the most.",
+  },
+  columns: {
+    id: "H harus mempunyai {n} kolom seperti F: sekarang {m}.",
+    en: "H must have {n} columns, like F: it has {m}.",
+  },
+  sensors: {
+    id: "H berisi {m} baris; di sini paling banyak {most}, satu untuk setiap sensor.",
+    en: "H has {m} rows; here {most} is the most, one for each sensor.",
+  },
+};
+
+export const CONTROLS = {
+  text: {
+    id: "Data sendiri: tempelkan tabel dari lembar kerja. Data tidak meninggalkan perangkat ini.",
+    en: "Data of my own: paste a table from a spreadsheet. Nothing leaves this device.",
+  },
+  placeholder: { id: "waktu\tsuhu\n0\t25,1\n60\t25,3", en: "time\ttemperature\n0\t25.1\n60\t25.3" },
+  value: { id: "Kolom besaran yang diukur", en: "Column of the measured quantity" },
+  axis: { id: "Kolom besaran yang diukur", en: "Column of the measured quantity" },
+  first_axis: { id: "percepatan sepanjang sumbu x", en: "acceleration along the x axis" },
+  value2: { id: "Kolom kedua", en: "The second column" },
+  next_column: { id: "kolom berikutnya", en: "the next column" },
+  factor: { id: "kolom kedua dikalikan dengan", en: "the second column is multiplied by" },
+  back: { id: "Kembali ke data sintetis", en: "Back to synthetic data" },
+  new_noise: { id: "Derau baru", en: "New noise" },
+  pattern: { id: "Bagaimana besaran itu berubah?", en: "How does the quantity change?" },
+  F: { id: "F, satu baris per baris (keadaan berikutnya = F x)", en: "F, a row a line (next state = F x)" },
+  H: { id: "H, satu baris per sensor (z = H x)", en: "H, a row for each sensor (z = H x)" },
+  second: { id: "Kolom kedua dari data", en: "The second column of the data" },
+  bias: { id: "Bias kolom kedua", en: "Bias of the second column" },
+  without_bias: { id: "tidak ada", en: "none" },
+  with_bias: { id: "dicari sebagai keadaan tambahan", en: "found, as a further state" },
+  likely: { id: "Besarnya derau", en: "How much noise" },
+  by_hand: { id: "atur sendiri", en: "by hand" },
+  most_likely: { id: "yang paling mungkin menurut data", en: "the most likely by the data" },
+  keep: { id: "Ambil nilainya, lalu atur sendiri", en: "Take these values and go on by hand" },
+  gate: { id: "gerbang: tolak pencilan (99,9%)", en: "gate: leave outliers out (99.9%)" },
+  average: { id: "bandingkan dengan rataan bergerak", en: "compare with a moving average" },
+  window: { id: "banyaknya data dalam rataan bergerak", en: "values in the moving average" },
+  dirty: { id: "bubuhi data dengan pencilan", en: "put outliers into the data" },
+  hole: { id: "hilangkan 20 pengukuran", en: "take 20 measurements away" },
+};
+
+export const TAKE = {
+  copy: { id: "Salin kode untuk pustaka buku ini", en: "Copy the code for the book's library" },
+  kalman_lib: { id: "Unduh kode itu", en: "Download that code" },
+  filterpy: { id: "Unduh kode untuk filterpy", en: "Download the code for filterpy" },
+  csv: { id: "Unduh data untuk kode (CSV)", en: "Download the data for the code (CSV)" },
+  excel: { id: "Unduh Excel dengan rumus hidup", en: "Download Excel with live formulas" },
+};
+
+/** The first lines of a program. */
+export const CODE = {
+  kalman_lib: {
+    id: "Filter dari bengkel buku ini, untuk kalman_lib.\nDatanya di {file}, dari halaman yang sama.",
+    en: "A filter from the book's workshop, for kalman_lib.\nIts data is {file}, from the same page.",
+  },
+  filterpy: {
+    id: "Filter dari bengkel buku ini, untuk filterpy.\nDatanya di {file}, dari halaman yang sama.",
+    en: "A filter from the book's workshop, for filterpy.\nIts data is {file}, from the same page.",
+  },
+};
+
+export const NOISES = {
+  q: "q",
+  R: "R",
+  R2: "R_2",
+};
+
+export const FACTORS = {
+  1.5: { id: "kira-kira satu setengah", en: "about one and a half" },
+  2: { id: "kira-kira dua", en: "about two" },
+  3: { id: "kira-kira tiga", en: "about three" },
+  4: { id: "kira-kira empat", en: "about four" },
+  5: { id: "kira-kira lima", en: "about five" },
+  6: { id: "kira-kira enam", en: "about six" },
+  7: { id: "kira-kira tujuh", en: "about seven" },
+  8: { id: "kira-kira delapan", en: "about eight" },
+  9: { id: "kira-kira sembilan", en: "about nine" },
+  10: { id: "kira-kira sepuluh", en: "about ten" },
+  other: { id: "kira-kira {factor}", en: "about {factor}" },
+  huge: { id: "lebih dari seribu", en: "more than a thousand" },
+};
+
+export const VERDICT = {
+  few: {
+    id: "Pengukurannya terlalu sedikit untuk menilai filter ini.",
+    en: "There are too few measurements to judge this filter.",
+  },
+  fits: {
+    id: "Filter ini lulus: inovasinya sebesar yang dinyatakannya (NIS {nis}), dan putih.",
+    en: "The filter passes: its innovations are as large as it states (NIS {nis}), and white.",
+  },
+  likely_fits: {
+    id: "Dengan derau yang paling mungkin filter ini lulus: NIS {nis}, dan inovasinya putih.",
+    en: "With the most likely noise the filter passes: NIS {nis}, and its innovations are white.",
+  },
+  shut: {
+    id: "Gerbang menolak terlalu banyak untuk disebut pencilan: bukalah dahulu, perbaiki pola dan deraunya.",
+    en: "The gate leaves too much out to be outliers: open it first, and mend the pattern and the noise.",
+  },
+  unlikely: {
+    id: "Kedua pemeriksaan lulus (NIS {nis}), tetapi menurut data ini ada derau yang jauh lebih mungkin.",
+    en: "Both tests pass (NIS {nis}), but by this data another noise is far more likely.",
+  },
+  larger: {
+    id: "Filter ini terlalu yakin: inovasinya lebih besar daripada yang dinyatakannya (NIS {nis}).",
+    en: "The filter is too sure: its innovations are larger than it states (NIS {nis}).",
+  },
+  smaller: {
+    id: "Filter ini terlalu ragu: inovasinya lebih kecil daripada yang dinyatakannya (NIS {nis}).",
+    en: "The filter is too cautious: its innovations are smaller than it states (NIS {nis}).",
+  },
+  not_white: {
+    id: "Inovasinya belum putih: yang satu masih meramalkan yang berikutnya (NIS {nis}).",
+    en: "Its innovations are not white: one still foretells the next (NIS {nis}).",
+  },
+  searching: { id: "Sebabnya sedang dicari.", en: "The cause is being looked for." },
+  too_small: {
+    id: "{noise} {factor} kali terlalu kecil.",
+    en: "{noise} is {factor} times too small.",
+  },
+  too_large: {
+    id: "{noise} {factor} kali terlalu besar.",
+    en: "{noise} is {factor} times too large.",
+  },
+  needless: {
+    id: "{noise} terlalu besar: data ini boleh dijelaskan tanpanya.",
+    en: "{noise} is too large: this data can do without it.",
+  },
+  outliers: {
+    id: "{count} inovasi jauh lebih besar daripada yang lain: cobalah gerbang di bawah “4 Periksa”.",
+    en: "{count} innovations are far larger than the others: try the gate below “4 Check”.",
+  },
+  pattern: {
+    id: "Deraunya sudah wajar, jadi pola geraknya yang belum cocok: cobalah pola lain.",
+    en: "The noise is right, so it is the pattern that does not suit: try another one.",
+  },
+  pattern_at_best: {
+    id: "Derau yang paling mungkin pun tidak menolong, jadi cobalah pola gerak yang lain.",
+    en: "Even the most likely noise does not help, so try another pattern of motion.",
+  },
+};
+
+export const OUTCOME = {
+  left: { id: "Gerbang menolak {count} pengukuran (×).", en: "The gate left out {count} measurements (×)." },
+  cut: {
+    id: "Derau itu dicari dari {rows} baris pertama.",
+    en: "That noise was found from the first {rows} rows.",
+  },
+};
+
+export const FACTS = {
+  test: { id: "Pemeriksaan", en: "Test" },
+  here: { id: "Di sini", en: "Here" },
+  wanted: { id: "Seharusnya", en: "Wanted" },
+  nis: { id: "NIS rata-rata", en: "Mean NIS" },
+  between: { id: "{low} sampai {high}", en: "{low} to {high}" },
+  inside: { id: "Inovasi di dalam pitanya", en: "Innovations inside their band" },
+  percent: { id: "{share}%", en: "{share}%" },
+  white: { id: "p inovasi putih", en: "p of white innovations" },
+  white_of: { id: "p inovasi putih, sensor {i}", en: "p of white innovations, sensor {i}" },
+  above: { id: "di atas 0,01", en: "above 0.01" },
+  likely: { id: "{likely} (paling mungkin)", en: "{likely} (most likely)" },
+  rmse: { id: "RMSE terhadap nilai sebenarnya", en: "RMSE against the truth" },
+  bias: { id: "Bias di akhir, ± 2σ", en: "The bias at the end, ± 2σ" },
+  average: { id: "rataan bergerak: {far}", en: "moving average: {far}" },
+  sensor: { id: "sensor saja: {far}", en: "sensor alone: {far}" },
+};
+
+export const LABELS = {
+  average: { id: "rataan bergerak", en: "moving average" },
+  left: { id: "ditolak", en: "left out" },
+  inside: "95%",
+};
+
+export const PLOTS = {
+  estimate: {
+    title: { id: "Estimasi dan pitanya", en: "The estimate and its band" },
+    alt: {
+      id: "Grafik titik pengukuran dan garis estimasi dengan pita dua simpangan baku.",
+      en: "Plot of the measured dots and the line of the estimate with a band of two standard deviations.",
+    },
+  },
+  innovations: {
+    title: { id: "Inovasi dalam simpangan bakunya", en: "Innovations in standard deviations" },
+    alt: {
+      id: "Grafik inovasi yang dibagi simpangan bakunya, dengan pita untuk 95 persen di antaranya.",
+      en: "Plot of the innovations divided by their standard deviation, with a band for 95 percent of them.",
+    },
+  },
+  correlation: {
+    title: { id: "Autokorelasi inovasi", en: "Autocorrelation of the innovations" },
+    alt: {
+      id: "Grafik korelasi antara inovasi yang berjarak satu sampai sepuluh langkah, dengan pitanya.",
+      en: "Plot of the correlation of innovations one to ten steps apart, with its band.",
+    },
+  },
+  rate: {
+    title: { id: "Keadaan kedua (kecepatan)", en: "The second state (velocity)" },
+    alt: {
+      id: "Grafik estimasi keadaan kedua dengan pita dua simpangan baku.",
+      en: "Plot of the estimate of the second state with a band of two standard deviations.",
+    },
+  },
+};
