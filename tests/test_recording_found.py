@@ -134,6 +134,18 @@ def test_rows_with_equal_times_are_averaged():
     assert said(recording, "share their times") and recording.rate == pytest.approx(25)
 
 
+@pytest.mark.parametrize(
+    "stamp",
+    ["2024-01-01T10:{:02d}:{:06.3f}", "01/02/2024 10:{:02d}:{:06.3f}", "10:{:02d}:{:06.3f}"],
+)
+def test_dates_and_clock_times_become_seconds(stamp):
+    t = times(50, 3.98)
+    cells = {(k, 0): stamp.format(59, 56 + s) if s < 4 else "" for k, s in enumerate(t)}
+    content = own(header=PLAIN.format(g="rad/s", a="m/s2").replace("t (s)", "time"), cells=cells)
+    recording = read_recording(content)
+    assert np.allclose(recording.t, t, atol=1e-6) and len(recording.t) == 200
+
+
 def test_times_that_go_back_are_shown_with_all_digits():
     cells = {(10, 0): "134000.0000002", (11, 0): "134000.0000001"}
     cells |= {(k, 0): repr(134001.0 + k) for k in range(12, 200)}

@@ -9,7 +9,8 @@ import numpy as np
 
 from .archives import TEXTS
 from .cells import quoted, to_number
-from .columns import is_wanted
+from .clock import NoTimes, is_time, moment, seconds_of
+from .columns import is_wanted, read_header
 from .errors import InputError
 from .grid import decode
 from .limits import too_wide
@@ -114,10 +115,38 @@ def _read_csv(place, text):
     wanted = [k for k, name in enumerate(names) if is_wanted(name)]
     if not wanted:
         raise no_sensor(place, names)
+    body = _clocks_in_seconds(body, names, separator)
     values = _numbers_at_once(body, separator, len(names), wanted)
     if values is None:
         return _read_cells(place, names, body, separator, line, wanted)
     return Sheet(place, names, values, line + 1 + np.arange(len(values)))
+
+
+def _clocks_in_seconds(body, names, separator):
+    """The body with dates and clock times written as seconds, where a column of times holds
+    them."""
+    first = body.partition("\n")[0].split(separator)
+    clocks = [
+        k
+        for k, name in enumerate(names[: len(first)])
+        if read_header(name).kind == "time" and is_time(first[k].strip(' "'))
+    ]
+    clocks = [k for k in clocks if not _reads_as_number(first[k].strip(' "'))]
+    if not clocks:
+        return body
+    rows = list(csv.reader(io.StringIO(body), delimiter=separator, skipinitialspace=True))
+    for k in clocks:
+        cells = [row[k].strip() if k < len(row) else "" for row in rows]
+        try:
+            seconds, _ = seconds_of([moment(cell) for cell in cells])
+        except NoTimes:
+            return body
+        for row, second in zip(rows, seconds):
+            if second is not None:
+                row[k] = repr(float(second))
+    text = io.StringIO()
+    csv.writer(text, delimiter=separator, lineterminator="\n").writerows(rows)
+    return text.getvalue().rstrip()
 
 
 def _header_in(text):
