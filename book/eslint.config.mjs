@@ -112,4 +112,13 @@ export default [
     },
     rules,
   },
+  {
+    files: ["slides/*.js"],
+    languageOptions: {
+      ecmaVersion: 2023,
+      sourceType: "script",
+      globals: { ...globals(BROWSER), ...globals(["dispatchEvent", "Event", "innerWidth", "Reveal"]) },
+    },
+    rules,
+  },
 ];

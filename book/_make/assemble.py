@@ -10,6 +10,7 @@ import kept
 import licences
 import light
 import mend
+import slides
 import texts
 import yaml
 from edition import edition
@@ -45,6 +46,7 @@ def assemble(outputs):
         remove_old_pictures(folder)
         mend.mend(folder, language)
         light.lighten(folder)
+        slides.write_slides(language)
         take_pdf(folder, f"{ZIP_NAMES[language]}.pdf")
         write_workbook(folder / "kalman.xlsx")
         write_zip(language, folder / f"{ZIP_NAMES[language]}.zip")

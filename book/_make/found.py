@@ -31,7 +31,7 @@ def sitemap(address):
         ' xmlns:xhtml="http://www.w3.org/1999/xhtml">',
     ]
     for page in sorted((SITE / "id").rglob("*.html")):
-        if page.name in NOT_LISTED:
+        if page.name in NOT_LISTED or page.parent.name == "slides":  # they say what a chapter says
             continue
         name = page.relative_to(SITE / "id").as_posix()
         twins = "".join(

@@ -8,6 +8,7 @@ from places import SITE
 FILE = "licences.txt"
 FROM_NPM = (
     "katex",
+    "reveal.js",
     "@fontsource-variable/plus-jakarta-sans",
     "@fontsource-variable/source-serif-4",
 )

@@ -1,12 +1,12 @@
 // One style sheet for all pages of a language, with the rules that its pages and scripts can use.
-// stdin: {folder, sheets: [in their order]}
+// stdin: {folder, sheets: [in their order], shown: [patterns of the pages and scripts that they serve]}
 // stdout: the style sheet, small.
 import { readFileSync } from "node:fs";
 import { dirname, join, relative } from "node:path";
 import { transformSync } from "esbuild";
 import { PurgeCSS } from "purgecss";
 
-const { folder, sheets } = JSON.parse(readFileSync(0, "utf8"));
+const { folder, sheets, shown } = JSON.parse(readFileSync(0, "utf8"));
 
 /** A sheet with what it imports; its addresses count from the folder of the one that is made here. */
 function whole(sheet) {
@@ -30,7 +30,7 @@ function withoutUnusedFonts(css) {
 }
 
 const [purged] = await new PurgeCSS().purge({
-  content: [`${folder}/**/*.html`, `${folder}/_static/**/*.js`],
+  content: shown,
   css: [{ raw: sheets.map(whole).join("\n") }],
   keyframes: true,
   // what stands in a state of an element: names of attributes and their values are words of the scripts

@@ -139,11 +139,13 @@ def in_order(lists):
     return longest
 
 
-def purged(folder, sheets):
+def purged(folder, sheets, shown=None):
+    """One sheet, with the rules for what is shown: all pages and scripts, or these patterns."""
+    shown = shown or [f"{folder}/**/*.html", f"{folder}/_static/**/*.js"]
     program = Path(__file__).with_name("light.mjs")
     made = subprocess.run(
         [str(offline.node_binary()), str(program)],
-        input=json.dumps({"folder": str(folder), "sheets": sheets}),
+        input=json.dumps({"folder": str(folder), "sheets": sheets, "shown": shown}),
         capture_output=True,
         encoding="utf-8",
     )

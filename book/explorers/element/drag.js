@@ -28,15 +28,22 @@ export function makeDraggable(explorer, plot) {
   canvas.addEventListener("touchstart", keepPageStill, { passive: false });
 }
 
+/** Pixels of the plot from its upper left corner; a slide is shown larger or smaller than it is laid out. */
+function pointIn(plot, { clientX, clientY }) {
+  const box = plot.canvas.getBoundingClientRect();
+  const scale = plot.canvas.clientWidth / box.width;
+  return [(clientX - box.left) * scale, (clientY - box.top) * scale];
+}
+
 /** Does the finger lie on one of the handles that the paper names? */
-function isOnHandle({ explorer, plot }, { clientX, clientY }) {
+function isOnHandle({ explorer, plot }, event) {
   if (!plot.spec.handles || !plot.place || !explorer.r) {
     return false;
   }
-  const box = plot.canvas.getBoundingClientRect();
+  const [left, top] = pointIn(plot, event);
   return plot.spec.handles(explorer.r, explorer.shown).some((handle) => {
     const [x, y] = plot.place(handle);
-    return Math.hypot(clientX - box.left - x, clientY - box.top - y) <= NEAR;
+    return Math.hypot(left - x, top - y) <= NEAR;
   });
 }
 
@@ -78,9 +85,9 @@ function release(grip) {
 
 /** Change what lies under the pointer; false: there is nothing to take along. */
 function move({ explorer, plot, hand }, event) {
-  const box = plot.canvas.getBoundingClientRect();
-  const x = plot.x_of?.(event.clientX - box.left);
-  const y = plot.y_of?.(event.clientY - box.top);
+  const [left, top] = pointIn(plot, event);
+  const x = plot.x_of?.(left);
+  const y = plot.y_of?.(top);
   const changes = explorer.r && plot.spec.drag(x, y, explorer.s, explorer.r, hand);
   if (!changes) {
     return false;

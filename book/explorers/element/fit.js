@@ -50,9 +50,9 @@ function sizes({ section, stage, plots }) {
   const height = document.documentElement.clientHeight; // the bars of a phone come and go without changing it
   const beside = style.display === "grid";
   const legends = plots.map((plot) => (plot.element.hidden ? -1 : plot.words.offsetHeight));
-  const key = [width, document.documentElement.clientWidth, height, beside, style.fontSize, ...legends].join(
-    " ",
-  );
+  const given = style.getPropertyValue("--slide-figures"); // on a slide: book/slides/slides.js
+  const around = [document.documentElement.clientWidth, height, given];
+  const key = [width, ...around, beside, style.fontSize, ...legends].join(" ");
   return { width, height, beside, key };
 }
 
