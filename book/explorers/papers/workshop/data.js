@@ -23,8 +23,8 @@ const KEYS = [
 ];
 
 /**
- * {t (T), dt (T) or null, z (T m), u (T) or null, truth (T states) or null, F, H, x0, P0, note}: the data that is
- * shown, and where its filter starts; memo keeps it while nothing about it changes.
+ * {t (T), dt (T) or null, z (T m), u (T) or null, truth (T states) or null, F, H, x0, P0, note}: the data
+ * that is shown, and where its filter starts; memo keeps it while nothing about it changes.
  */
 export function load(s, memo) {
   const key = KEYS.map((name) => s[name]);
