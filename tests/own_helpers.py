@@ -19,4 +19,5 @@ def form_in(language, opened, site):
     yield page, element, language
     element.evaluate("e => e.explorer.reset()")
     shown(element)
-    assert trouble == [] and not element.locator(".explorer-message").is_visible()
+    assert trouble == []
+    assert not element.locator(".explorer-message").is_visible()
