@@ -19,5 +19,5 @@ def form_in(language, opened, site):
     yield page, element, language
     element.evaluate("e => e.explorer.reset()")
     shown(element)
-    assert trouble == []
+    assert trouble == [], "; ".join(map(str, trouble))
     assert not element.locator(".explorer-message").is_visible()

@@ -38,7 +38,7 @@ function stepOf(r, s, k) {
   const { z, result } = r;
   return {
     R: s.R,
-    P_before: k > 0 ? result.P[k - 1] : r.p.P0,
+    P_before: k > 0 ? result.P[k - 1] : (r.p ?? s).P0, // the online view has no p
     x_pred: result.x_pred[k],
     z: z[k],
     y: result.y[k],
