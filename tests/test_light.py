@@ -32,10 +32,12 @@ def test_the_first_view_is_light_and_still(language, site, chromium):
 def test_one_style_sheet_for_all_pages(site):
     for language in ("id", "en"):
         folder = site / language
-        assert [path.name for path in folder.rglob("*.css")] == ["all.css"]
+        assert sorted(path.name for path in folder.rglob("*.css")) == ["all.css", "slides.css"]
         for page in folder.rglob("*.html"):
             sheets = re.findall(r'<link[^>]*stylesheet"[^>]*>', page.read_text(encoding="utf-8"))
-            assert len(sheets) == ("http-equiv" not in page.read_text(encoding="utf-8")), page
+            wanted = 2 if page.parent.name == "slides" else 1  # those with one of their own
+            assert len(sheets) in (0, wanted), page
+            assert bool(sheets) == ("http-equiv" not in page.read_text(encoding="utf-8")), page
 
 
 def test_whatever_a_sheet_or_a_page_names_is_there(site):

@@ -184,6 +184,8 @@ def blocks_of(own, part):
         return pieces_of_cell(own, part)
     if "exercise" in classes:
         return pieces_of_exercise(own, part)
+    if not part.contents:
+        return []  # it was there for its name
     if is_question(part):
         part["data-slide"] = "new"
     elif part.name in ("h3", "h4") or part.get_text().rstrip().endswith(":"):

@@ -8,9 +8,10 @@
   const STANDING = { width: 560, height: 1000 };
   const SMALLEST = 0.4; // of its size, for a part that is too high even alone
   const FINER = 0.97;
-  const ZOOMS = [0.85, 0.75, 0.65, 0.55]; // of the text at the side of an explorer
+  const SIDES = [0.85, 0.75, 0.65, 0.6, 0.55]; // of the text at the side of an explorer
   const HEIGHTS = [2, 1.8, 1.6, 1.4, 1.2, 1.1, 1, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4]; // of its figures
   const EXPLORER = /^#[a-z]+(\.[a-z]+)?:/; // the address holds the settings of an explorer
+  const LEAST = [0.8, 0.4]; // of the height of its figures, while a place for the words is found
   const STARTS = ["new", "alone"]; // what slides.py says of a part
   const ENDS = ["last", "alone"];
   const LABELS = {
@@ -160,21 +161,33 @@
   function layOut(block) {
     const stage = block.querySelector(".explorer-stage");
     stage.append(...block.querySelectorAll(".explorer-figures"));
-    block.querySelector(".explorer-side").append(block.querySelector(".explorer-equations"));
   }
 
   /** The largest text at its side with which there is room, then the highest figures. */
   function fitExplorer(body, block) {
-    block.style.setProperty("--slide-figures", HEIGHTS.at(-1));
-    ZOOMS.some((zoom) => {
-      block.style.setProperty("--slide-side", zoom);
-      return fits(body);
+    const [stage, side, equations] = ["stage", "side", "equations"].map((name) =>
+      block.querySelector(`.explorer-${name}`),
+    );
+    const isFitted = LEAST.some((height) => {
+      block.style.setProperty("--slide-figures", height);
+      return [side, stage].some((place) => {
+        place.append(equations);
+        return largest("--slide-side", SIDES, body, block);
+      });
     });
-    HEIGHTS.some((factor) => {
-      block.style.setProperty("--slide-figures", factor);
-      return fits(body);
-    });
+    if (!isFitted) {
+      shrink(body, block);
+    }
+    largest("--slide-figures", HEIGHTS, body, block);
     dispatchEvent(new Event("resize")); // the figures are drawn anew
+  }
+
+  /** Give a part the first value with which it fits, or the last one; is there such a one? */
+  function largest(name, values, body, block) {
+    return values.some((value) => {
+      block.style.setProperty(name, value);
+      return fits(body);
+    });
   }
 
   /** A solution below its question appears one step later; on a slide of its own it is there at once. */
