@@ -5,7 +5,8 @@ import random
 
 import numpy as np
 from explorer_helpers import javascript
-from table_cases import HUGE, READ, REFUSED, options_of
+from table_cases import READ, options_of
+from table_refused import HUGE, REFUSED
 from test_table import HOSTILE, archive, sheet_of
 from workbook_helpers import xlsx
 

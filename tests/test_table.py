@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from openpyxl import Workbook
-from table_cases import HUGE
+from table_refused import HUGE
 from workbook_helpers import libreoffice, xlsx
 
 from kalman_lib.data import InputError, read_table

@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-from table_cases import READ, REFUSED, options_of
+from table_cases import READ, options_of
+from table_refused import REFUSED
 
 from kalman_lib.data import InputError, read_table
 
