@@ -1,4 +1,4 @@
-"""Slides of every chapter, made from its finished page: _build/site/<language>/slides/<chapter>.html.
+"""Slides of every chapter, made from its finished page: slides/<chapter>.html of each language.
 
 A section of the page is one slide from left to right. Here its parts are put in a row, and what
 only a page needs goes; how many slides below each other a section fills is found in the browser
