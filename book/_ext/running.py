@@ -5,14 +5,36 @@ last takes the place of the slider: a figure for the book, for the printed page 
 reads the notebook before running it.
 """
 
+import copy
+
 from nbclient import NotebookClient
+from nbclient.exceptions import CellTimeoutError
 from nbclient.output_widget import OutputWidget
 from texts import WIDGET_VIEW
 
 
 def run(notebook, folder):
-    """Execute the notebook (nbformat 4) in its own folder, in place."""
-    client = NotebookClient(
+    """Execute the notebook (nbformat 4) in its own folder, in place.
+
+    Seldom a message between the kernel and us is lost, on a busy machine: the kernel has nothing to
+    do, and we wait. Then it runs once more from the top, with a new kernel.
+    """
+    before = copy.deepcopy(notebook.cells)
+    client = client_of(notebook, folder)
+    try:
+        client.execute()
+    except CellTimeoutError:
+        notebook.cells = before
+        client = client_of(notebook, folder)
+        client.execute()
+    notebook.metadata.pop("widgets", None)
+    for cell in notebook.cells:
+        if cell.cell_type == "code":
+            cell.outputs = [part for output in cell.outputs for part in still(output, client)]
+
+
+def client_of(notebook, folder):
+    return NotebookClient(
         notebook,
         timeout=300,
         record_timing=False,  # the cache finds a notebook by its cells and their metadata
@@ -20,11 +42,6 @@ def run(notebook, folder):
         coalesce_streams=True,
         resources={"metadata": {"path": str(folder)}},
     )
-    client.execute()
-    notebook.metadata.pop("widgets", None)
-    for cell in notebook.cells:
-        if cell.cell_type == "code":
-            cell.outputs = [part for output in cell.outputs for part in still(output, client)]
 
 
 def still(output, client):

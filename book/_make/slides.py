@@ -1,4 +1,4 @@
-"""Slides of every chapter, made from its finished page: _build/site/<language>/slides/<chapter>.html.
+"""Slides of every chapter, made from its finished page: slides/<chapter>.html of each language.
 
 A section of the page is one slide from left to right. Here its parts are put in a row, and what
 only a page needs goes; how many slides below each other a section fills is found in the browser
@@ -71,7 +71,9 @@ def write_what_they_load(folder):
     place.mkdir(parents=True, exist_ok=True)
     shutil.copy(REVEAL / "reveal.js", place)
     shutil.copy(SOURCE / "slides.js", place)
-    sheets = [Path(shutil.copy(sheet, place)) for sheet in (REVEAL / "reveal.css", SOURCE / "looks.css")]
+    sheets = [
+        Path(shutil.copy(sheet, place)) for sheet in (REVEAL / "reveal.css", SOURCE / "looks.css")
+    ]
     names = [sheet.relative_to(folder).as_posix() for sheet in sheets]
     scripts = [f"{place}/*.js", f"{folder}/_static/vendor/explorers/*.js"]
     shown = [f"{folder}/slides/*.html", *scripts]
@@ -127,14 +129,15 @@ def frame(soup, language, name, title, parts):
     head.append(f'<link rel="stylesheet" href="../{PLACE}/slides.css">')
     head += [str(script) for script in soup.select(SCRIPTS)]
     head += [
-        f'<script defer src="../{PLACE}/{script}"></script>' for script in ("reveal.js", "slides.js")
+        f'<script defer src="../{PLACE}/{script}"></script>'
+        for script in ("reveal.js", "slides.js")
     ]
     whole = html.escape(f"{words['slides']}: {title} — {book}")
     return (
         f'<!DOCTYPE html>\n<html lang="{language}" data-content_root="../" data-theme="auto">'
         f"<head>{''.join(head)}<title>{whole}</title></head>"
-        f'<body><main class="bd-content"><article class="bd-article">{"".join(parts)}'
-        "</article></main></body></html>\n"
+        f'<body><main><div class="bd-content"><article class="bd-article">{"".join(parts)}'
+        "</article></div></main></body></html>\n"
     )
 
 

@@ -15,12 +15,18 @@
   const STARTS = ["new", "alone"]; // what slides.py says of a part
   const ENDS = ["last", "alone"];
   const LABELS = {
-    id: { left: "Bagian sebelumnya", right: "Bagian berikutnya", up: "Ke atas", down: "Ke bawah" },
-    en: { left: "Previous section", right: "Next section", up: "Up", down: "Down" },
+    id: {
+      left: "Bagian sebelumnya",
+      right: "Bagian berikutnya",
+      up: "Ke atas",
+      down: "Ke bawah",
+      on: "Lanjut",
+    },
+    en: { left: "Previous section", right: "Next section", up: "Up", down: "Down", on: "Go on" },
   };
   const root = document.documentElement;
-  const main = document.querySelector("main");
   const article = document.querySelector("article");
+  const frame = article.parentElement;
   const size = innerHeight > innerWidth ? STANDING : LYING;
 
   // --- the slides of a section ----------------------------------------------------------------------------
@@ -205,10 +211,13 @@
     return !target.closest?.(works);
   }
 
+  /** What reveal.js says in English only. */
   function nameControls() {
-    for (const [direction, label] of Object.entries(LABELS[root.lang] ?? LABELS.en)) {
-      main.querySelector(`.controls .navigate-${direction}`).setAttribute("aria-label", label);
+    const { on, ...directions } = LABELS[root.lang] ?? LABELS.en;
+    for (const [direction, label] of Object.entries(directions)) {
+      frame.querySelector(`.controls .navigate-${direction}`).setAttribute("aria-label", label);
     }
+    frame.querySelector(".pause-overlay button").textContent = on;
   }
 
   /** An address with the settings of an explorer opens its slide. */
@@ -231,7 +240,7 @@
     root.classList.add("parting");
     [...article.children].forEach(partSection);
     root.classList.remove("parting");
-    main.classList.add("reveal");
+    frame.classList.add("reveal");
     article.classList.add("slides");
     const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
     await Reveal.initialize({
@@ -248,7 +257,7 @@
       keyboardCondition: isFree,
     });
     nameControls();
-    main.scrollTop = 0;
+    frame.scrollTop = 0;
     window.scrollTo(0, 0);
     if (EXPLORER.test(asked)) {
       goToExplorer(asked);
