@@ -4,6 +4,7 @@ import html.parser
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+WITHOUT_LANGUAGE = {"404.html", "unkept.html"}
 AXE = ROOT / "book" / "node_modules" / "axe-core" / "axe.min.js"
 LANGUAGES = {"id": "en", "en": "id"}  # each with the other one
 PHONE = {"width": 390, "height": 844}
@@ -66,7 +67,8 @@ class Reader(html.parser.HTMLParser):
 
 
 def pages_of(site):
-    return sorted(site.rglob("*.html"))
+    """Every page that has a language; those that a host shows where there is none say both."""
+    return sorted(path for path in site.rglob("*.html") if path.name not in WITHOUT_LANGUAGE)
 
 
 def twin(name):

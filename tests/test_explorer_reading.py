@@ -179,7 +179,7 @@ def test_what_was_copied_is_said_beside_the_button(site, opened):
 def test_unreadable_text_is_answered_below_it(site, opened):
     page, _ = opened(site / "id" / "notebooks" / "02_smoother.html")
     element = page.locator("kalman-explorer:not([view])").first
-    paste(element, "1,2\nbukan angka")
+    paste(element, "1,2\nbukan\n1,3")
     message = element.locator(".explorer-message")
     message.wait_for()
     box = element.locator("textarea")

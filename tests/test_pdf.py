@@ -1,5 +1,6 @@
 """The book on paper: whole, with links that lead somewhere, tagged and with an outline."""
 
+import subprocess
 import sys
 
 import pytest
@@ -8,7 +9,6 @@ from conftest import ROOT, need_program
 
 sys.path.insert(0, str(ROOT / "book" / "_make"))
 
-import pdf
 import whole
 
 
@@ -56,8 +56,10 @@ def test_a_page_is_printed_tagged_with_an_outline(site, tmp_path):
     page = whole.Page("en", "notebooks/01_theory")
     source = site / "en" / "printed.html"
     source.write_text(whole.frame("en", whole.cover("en"), str(page.article)), encoding="utf-8")
-    try:
-        pdf.print_pdf(chromium, source, tmp_path / "one.pdf")
+    program = f"import pathlib, pdf; pdf.print_pdf({chromium!r}, pathlib.Path({str(source)!r}), "
+    program += f"pathlib.Path({str(tmp_path / 'one.pdf')!r}))"
+    try:  # in a process of its own: the browser of the other tests may be open in this one
+        subprocess.run([sys.executable, "-c", program], cwd=ROOT / "book" / "_make", check=True)
     finally:
         source.unlink()
     with pikepdf.open(tmp_path / "one.pdf") as printed:

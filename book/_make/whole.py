@@ -93,6 +93,7 @@ class Page:
 
     def rename(self):
         """Names and addresses count from the whole document."""
+        self.article.attrs = {"class": self.article["class"]}
         mine = slug(self.name)
         for part in self.article.find_all(id=True):
             part["id"] = f"{mine}--{part['id']}"

@@ -31,6 +31,7 @@
         await register(new URL("../offline-worker.js", root)); // the page that chooses a language
       }
       listen(ours);
+      await ours.update(); // the browser does so by itself, some time
     } catch {
       // refused: read online
     }

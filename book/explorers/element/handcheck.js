@@ -85,7 +85,7 @@ export class HandCheck {
     const { answer, tolerance = TOLERANCE, hint } = question;
     this.field.removeAttribute("aria-invalid");
     try {
-      const value = number(this.field.value, t.language);
+      const value = number(this.field.value); // one sign is the decimal one: what we ask for is no thousand
       const isRight = Math.abs(value - answer) <= tolerance * Math.abs(answer) + LEAST_TOLERANCE;
       if (isRight) {
         this.tell("right", t.say(WORDS.right, { value: t.decimal(answer, 4) }));

@@ -1,6 +1,6 @@
 // The XML of a workbook -> titles, strings, formats and grids (ECMA-376, SpreadsheetML). Twin of
 // kalman_lib/data/openxml.py. A sheet is read some rows at a time, so that the browser never holds all of it
-// as a document; rows and cells are counted before, and what is empty takes no room.
+// as XML; rows and cells are counted before, and what is empty takes no room.
 import { count, strip } from "./blanks.js";
 import { MAX_CELLS, MAX_READ, tooLong, tooManyCells } from "./limits.js";
 import { MORE_ROWS, filled, uncalculated } from "./sparse.js";
@@ -31,14 +31,14 @@ function checkTags(text) {
   }
 }
 
-/** A text -> document; Damaged if it is none. */
+/** A text -> its XML; Damaged if it is none. */
 function parsed(text) {
   checkTags(text);
-  const document = new DOMParser().parseFromString(text, "application/xml");
-  if (document.getElementsByTagName("parsererror").length > 0) {
+  const xml = new DOMParser().parseFromString(text, "application/xml");
+  if (xml.getElementsByTagName("parsererror").length > 0) {
     throw new Damaged("no XML");
   }
-  return document;
+  return xml;
 }
 
 function elements(parent, name) {
@@ -47,12 +47,12 @@ function elements(parent, name) {
 
 /** [[title, id of its relation], ...] and whether days are counted from 1904. */
 export function sheetsIn(text) {
-  const document = parsed(text);
-  const sheets = elements(document, "sheet").map((sheet) => {
+  const xml = parsed(text);
+  const sheets = elements(xml, "sheet").map((sheet) => {
     const relation = Array.from(sheet.attributes).find(({ name }) => name.endsWith(":id"));
     return [sheet.getAttribute("name") ?? "", relation?.value ?? ""];
   });
-  const from1904 = elements(document, "workbookPr").some((one) => {
+  const from1904 = elements(xml, "workbookPr").some((one) => {
     return ["1", "true"].includes(one.getAttribute("date1904"));
   });
   return { sheets, from1904 };
@@ -84,12 +84,12 @@ export function formatsIn(text) {
   if (!text) {
     return [];
   }
-  const document = parsed(text);
+  const xml = parsed(text);
   const custom = new Map();
-  for (const format of elements(document, "numFmt")) {
+  for (const format of elements(xml, "numFmt")) {
     custom.set(format.getAttribute("numFmtId"), kindOf(format.getAttribute("formatCode") ?? ""));
   }
-  const styles = elements(document, "cellXfs").flatMap((one) => elements(one, "xf"));
+  const styles = elements(xml, "cellXfs").flatMap((one) => elements(one, "xf"));
   const numbers = styles.map((style) => style.getAttribute("numFmtId") ?? "0");
   return numbers.map((number) => custom.get(number) ?? knownKind(Number(number)));
 }
@@ -135,8 +135,8 @@ export function gridIn(text, title, book) {
   }
   checkTags(text);
   const found = [];
-  for (const document of piecesOf(text)) {
-    elements(document, "row").forEach((row) => readRow(row, found, title, book));
+  for (const xml of piecesOf(text)) {
+    elements(xml, "row").forEach((row) => readRow(row, found, title, book));
   }
   return filled(found);
 }
