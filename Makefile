@@ -40,6 +40,7 @@ bench: $(BUNDLE) ## time filters and explorers, in Jupyter and in the page; peer
 	$(PY) tests/bench_filters.py
 	$(PY) tests/bench_jupyter.py
 	$(PY) tests/bench_explorers.py
+	$(PY) tests/bench_pages.py
 
 explorers: $(BUNDLE) ## make what kalman_lib.explorer and .exercises show in a notebook
 

@@ -90,7 +90,9 @@ def main():
 
 
 def print_sizes():
-    folder = SITE / "en" / "_static" / "vendor" / "explorers"
+    # as they were made: the site joins their style sheet with the others
+    made = ROOT / "_build" / "work" / "en" / "_build" / "html"
+    folder = made / "_static" / "vendor" / "explorers"
     sizes = {}
     for file in sorted(folder.iterdir()):
         sizes[file.name] = len(gzip.compress(file.read_bytes(), 9)) / 1000
