@@ -31,7 +31,8 @@ WORKS_ON = {  # script: what the pages hold that it works on
     "copybutton.js": '<div class="highlight',
     "togglebutton.js": 'class="toggle',
 }
-WEIGHTS = (400, 700)  # of the letters, regular to bold
+REGULAR = 400
+WEIGHTS = (REGULAR, 700)  # of upright letters; bold italic ones are rare: the browser makes them
 UNUSED = (
     "_static/locales",
     "_static/images",
@@ -194,7 +195,8 @@ def letters_of(folder):
 def shrink_font(path, letters):
     font = TTFont(path)
     if "fvar" in font:
-        font = instancer.instantiateVariableFont(font, {"wght": WEIGHTS})
+        weights = REGULAR if "italic" in path.name else WEIGHTS
+        font = instancer.instantiateVariableFont(font, {"wght": weights})
         font = written_and_read(font)  # what it varies by refers to letters that are there
     subsetter = subset.Subsetter()
     subsetter.populate(unicodes=letters)
