@@ -273,3 +273,15 @@ def errors_by_python(seed):
     errors = [quadrotor.rmse_deg(flight.truth, angles)[:2] for angles in estimates]
     alone = quadrotor.rmse_deg(flight.truth, flight.z)
     return [*np.ravel(errors), *alone, nis(result.y, result.S).mean()]
+
+
+def test_a_finger_that_leaves_the_figure_to_the_left_stays_at_the_start(site, opened):
+    page, trouble = opened(site / "id" / "notebooks" / "06_quadrotor.html")
+    element = page.locator("kalman-explorer:not([view])").first
+    element.evaluate("""e => {
+      e.explorer.change({ moment: -3 });
+      e.explorer.renderNow(false);
+      e.explorer.draw(true);
+    }""")
+    assert element.evaluate("e => e.explorer.r.k") == 0 and trouble == []
+    element.evaluate("e => e.explorer.reset()")

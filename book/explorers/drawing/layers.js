@@ -43,7 +43,7 @@ function kindOf(layer, look) {
   if (layer.text) {
     return drawText;
   }
-  if (layer.at !== undefined || layer.level !== undefined) {
+  if ("at" in layer || "level" in layer) {
     return drawLine;
   }
   return look.dots ? drawDots : drawCurve;
