@@ -44,7 +44,8 @@ function flightOf(s) {
 /** The step of the moment that is drawn. */
 function stepAt({ T, t }, s) {
   if (!s.recording) {
-    return Math.max(0, Math.min(Math.round(s.moment / s.dt), T - 1)); // a finger may leave the figure to the left
+    const step = Math.min(Math.round(s.moment / s.dt), T - 1);
+    return Math.max(0, step); // a finger may leave the figure to the left
   }
   return Math.max(
     0,
