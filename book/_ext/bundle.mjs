@@ -7,7 +7,7 @@
 // host "page":
 // A browser refuses ES modules from file://, so every bundle is one classic script. The core (core.js) holds
 // the rooms that all papers use; the bundle of a paper takes them from there, so that a page loads them once.
-// What only some papers use (ROOMS) is one script a room, which stands between the core and the paper.
+// What only some papers use (`rooms`) is one script a room, which stands between the core and the paper.
 // The words of the other language are left out. What is wrong with the sources is told in one sentence on
 // stderr.
 import { readFileSync } from "node:fs";
@@ -17,7 +17,6 @@ import { build } from "esbuild";
 import { Mistake, exportsOf, nameOf, treeOf, viewsOf, wordsOf } from "./modules.mjs";
 
 const SHARED = ["numerics", "language"]; // rooms of the core that papers use
-const ROOMS = ["files", "sensors"]; // rooms that some papers use: a script each
 
 // --- bundling ----------------------------------------------------------------------------------------------
 
@@ -148,14 +147,14 @@ async function forCell({ sources, data, papers }) {
 }
 
 /** What a page of the book loads. */
-async function forPage({ sources, data, language, papers }) {
+async function forPage({ sources, data, language, papers, rooms }) {
   const words = oneLanguage(language);
   const core = path.join(sources, "core");
   const files = {
     "core.js": await bundle({ entryPoints: [`${core}.js`], globalName: "KalmanExplorers" }, [words]),
     "core.css": await bundle({ entryPoints: [`${core}.css`] }, []),
   };
-  for (const room of ROOMS) {
+  for (const room of rooms) {
     const contents = entryOfRoom(room, await usedModules(sources, room, Object.keys(papers)));
     const stdin = { contents, resolveDir: sources, sourcefile: `${room}.js` };
     files[`${room}.js`] = await bundle({ stdin }, [fromOthers(sources, []), words]);
@@ -165,7 +164,7 @@ async function forPage({ sources, data, language, papers }) {
     views[paper] = await viewsOf(sources, paper);
     const stdin = { contents: entryOf(paper, table), resolveDir: sources, sourcefile: `${paper}.js` };
     const options = { stdin, alias: { data }, loader: { ".csv": "text" } }; // for import "data/nile.csv"
-    files[`${paper}.js`] = await bundle(options, [fromOthers(sources, ROOMS), words]);
+    files[`${paper}.js`] = await bundle(options, [fromOthers(sources, rooms), words]);
   }
   return { files, views };
 }

@@ -29,7 +29,7 @@ import offline
 SOURCES = offline.BOOK / "explorers"
 DATA = offline.BOOK.parent / "notebooks" / "data"
 FOLDER = "vendor/explorers"
-ROOMS = ("files", "sensors")  # those of which bundle.mjs makes a script of their own
+ROOMS = ("files", "sensors")  # what only some papers use: a script each
 FOR_NOTEBOOKS = offline.BOOK.parent / "kalman_lib" / "live" / "bundle"
 ELEMENT = re.compile(r"<kalman-explorer\b([^>]*)>")
 
@@ -77,6 +77,7 @@ def bundle(target, language, sources=SOURCES, host="page"):
         "data": str(DATA),
         "language": language,
         "papers": papers,
+        "rooms": ROOMS,
     }
     program = Path(__file__).with_name("bundle.mjs")
     made = subprocess.run(

@@ -13,6 +13,7 @@ from pathlib import Path
 import pybtex.database
 
 LANGUAGES = {"id": "Bahasa Indonesia", "en": "English"}
+OTHER = {"id": "en", "en": "id"}
 BIBLIOGRAPHY = Path(__file__).resolve().parent.parent / "references.bib"
 WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
 CITATION = re.compile(r"\{cite(?::\w)?\}`([^`]+)`")

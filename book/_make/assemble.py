@@ -14,6 +14,7 @@ import slides
 import texts
 import yaml
 from edition import edition
+from pages import change_all, text_of_all
 from places import BUILD, ROOT, SITE
 
 ZIP_NAMES = {"id": "filter-kalman", "en": "kalman-filter"}
@@ -51,9 +52,7 @@ def assemble(outputs):
         write_workbook(folder / "kalman.xlsx")
         write_zip(language, folder / f"{ZIP_NAMES[language]}.zip")
         kept.write_language(language, page)
-    choose = kept.template("choose.html").replace("{{ page }}", page)
-    for language, title in edition()["title"].items():
-        choose = choose.replace("{{ " + language + " }}", title)
+    choose = kept.filled("choose.html", page=page, **edition()["title"])
     (SITE / "index.html").write_text(choose, encoding="utf-8")
     kept.write_root(page)
     found.write_found(page)
@@ -70,15 +69,13 @@ def take_pdf(folder, name):
     made = PDFS / name
     if made.exists():
         shutil.copy(made, folder / name)
-        return
-    for page in folder.rglob("*.html"):
-        text = page.read_text(encoding="utf-8")
-        page.write_text(PDF_LINK.sub("", text), encoding="utf-8")
+    else:
+        change_all(folder, lambda page, text: PDF_LINK.sub("", text))
 
 
 def remove_old_pictures(folder):
     """No picture stays that an older build has left."""
-    shown = "".join(page.read_text(encoding="utf-8") for page in folder.rglob("*.html"))
+    shown = text_of_all(folder)
     for picture in (folder / "_images").glob("*"):
         if picture.name not in shown:
             picture.unlink()
@@ -118,14 +115,12 @@ def write_zip(language, path):
 def readme(language):
     """What the archive is and how it runs, from the lines of this language."""
     about = edition()
-    lines = kept.template("zip-readme.md").splitlines()
-    other = next(code for code in ZIP_NAMES if code != language)
-    mine = [line.removeprefix(f"{language}: ") for line in lines if line[:4] != f"{other}: "]
-    text = "\n".join(mine) + "\n"
     values = {**about, "title": about["title"][language]}
-    for name in ("title", "version", "date"):
-        text = text.replace("{{ " + name + " }}", values[name])
-    return text
+    wanted = {name: values[name] for name in ("title", "version", "date")}
+    lines = kept.filled("zip-readme.md", **wanted).splitlines()
+    other = texts.OTHER[language]
+    mine = [line.removeprefix(f"{language}: ") for line in lines if line[:4] != f"{other}: "]
+    return "\n".join(mine) + "\n"
 
 
 def lead_to_the_site(notebook, language):

@@ -3,7 +3,7 @@
 from xml.sax.saxutils import escape
 
 from edition import edition
-from kept import template
+from kept import plain_page
 from places import SITE
 
 NOT_LISTED = {"index.html", "search.html", "genindex.html"}
@@ -14,8 +14,7 @@ def write_found(page):
     address = edition()["address"].rstrip("/")
     (SITE / ".nojekyll").write_bytes(b"")
     root = f"{address}/" if address else "/"
-    text = template("404.html").replace("{{ page }}", page).replace("{{ root }}", root)
-    (SITE / "404.html").write_text(text, encoding="utf-8")
+    (SITE / "404.html").write_text(plain_page("404.html", page=page, root=root), encoding="utf-8")
     robots = "User-agent: *\nAllow: /\n"
     if address:
         robots += f"Sitemap: {address}/sitemap.xml\n"

@@ -10,7 +10,7 @@ import yaml
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "book" / "_ext"))
-from texts import headings, source_in  # noqa: E402
+from texts import OTHER, headings, source_in  # noqa: E402
 
 TERMS = ROOT / "book" / "terms.yml"
 WORDS = {
@@ -31,7 +31,6 @@ WORDS = {
         "seen": "In the sources",
     },
 }
-OTHER = {"id": "en", "en": "id"}
 
 
 def read(path=TERMS):

@@ -18,8 +18,19 @@ ACCENT = "#0f6b6b"
 ICON_SIZES = (192, 512)  # pixels, what browsers ask for
 
 
-def template(name):
-    return (ROOT / "book" / "_templates" / name).read_text(encoding="utf-8")
+def filled(name, **values):
+    """A template of the site with its values in the places of {{ name }}."""
+    text = (ROOT / "book" / "_templates" / name).read_text(encoding="utf-8")
+    for key, value in values.items():
+        text = text.replace("{{ " + key + " }}", value)
+    return text
+
+
+def plain_page(name, **values):
+    """A page that speaks both languages: its title and its text in the common frame."""
+    title, text = filled(name, **values).split("\n", 1)
+    indonesian, english = title.split(" | ")
+    return filled("plain.html", id=indonesian, en=english, text=text.rstrip())
 
 
 def write_language(language, page):
@@ -33,8 +44,7 @@ def write_language(language, page):
 def write_root(page):
     """The folder above both: the page that chooses a language, and the one that says what is
     missing."""
-    text = template(UNKEPT).replace("{{ page }}", page)
-    (SITE / UNKEPT).write_text(text, encoding="utf-8")
+    (SITE / UNKEPT).write_text(plain_page(UNKEPT, page=page), encoding="utf-8")
     write_worker(SITE, [SITE / "index.html", SITE / UNKEPT], UNKEPT)
 
 
@@ -53,16 +63,9 @@ def write_worker(folder, files, otherwise):
         path.relative_to(folder).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()[:12]
         for path in files
     }
-    text = json.dumps(listed)
-    values = {
-        "files": text,
-        "otherwise": json.dumps(otherwise),
-        "version": hashlib.sha256((text + template(WORKER)).encode()).hexdigest()[:12],
-    }
-    script = template(WORKER)
-    for name, value in values.items():
-        script = script.replace("{{ " + name + " }}", value)
-    (folder / WORKER).write_text(script, encoding="utf-8")
+    script = filled(WORKER, files=json.dumps(listed), otherwise=json.dumps(otherwise))
+    version = hashlib.sha256(script.encode()).hexdigest()[:12]
+    (folder / WORKER).write_text(script.replace("{{ version }}", version), encoding="utf-8")
 
 
 def write_manifest(language, page):

@@ -17,6 +17,7 @@ import offline
 from fontTools import subset
 from fontTools.ttLib import TTFont
 from fontTools.varLib import instancer
+from pages import change_all, pages_of, text_of_all, way_up
 from PIL import Image
 
 SHEET = "_static/all.css"
@@ -48,16 +49,12 @@ def lighten(folder):
     shrink_fonts(folder)
 
 
-def pages_of(folder):
-    return sorted(folder.rglob("*.html"))
-
-
 # --- files and pictures -------------------------------------------------------------------------
 
 
 def remove_unused(folder):
     """What the theme brings and no page of this book shows."""
-    text = "".join(page.read_text(encoding="utf-8") for page in pages_of(folder))
+    text = text_of_all(folder)
     for name in UNUSED:
         for path in sorted((folder / name).rglob("*")):
             if path.is_file() and path.name not in text:
@@ -67,17 +64,17 @@ def remove_unused(folder):
 def take_out_pictures(folder):
     """A picture inside a page, such as the still one of an explorer, becomes a file: a reader whose
     explorer lives never fetches it."""
-    for page in pages_of(folder):
-        up = "../" * (len(page.relative_to(folder).parts) - 1)
 
-        def taken_out(found, up=up):
+    def change(page, text):
+        def taken_out(found):
             content = base64.b64decode(found[1])
             name = f"_images/{hashlib.sha256(content).hexdigest()}.png"
             (folder / name).write_bytes(content)
-            return f'src="{up}{name}"'
+            return f'src="{way_up(folder, page)}{name}"'
 
-        text = INSIDE.sub(taken_out, page.read_text(encoding="utf-8"))
-        page.write_text(STILL.sub(fetched_when_seen, text), encoding="utf-8")
+        return STILL.sub(fetched_when_seen, INSIDE.sub(taken_out, text))
+
+    change_all(folder, change)
 
 
 def fetched_when_seen(found):
@@ -97,9 +94,7 @@ def shrink_pictures(folder):
             picture.unlink()
             renamed[f"/{picture.name}"] = f"/{picture.stem}.webp"
     name = re.compile("|".join(map(re.escape, renamed)) or r"(?!)")
-    for page in pages_of(folder):
-        text = page.read_text(encoding="utf-8")
-        page.write_text(name.sub(lambda found: renamed[found[0]], text), encoding="utf-8")
+    change_all(folder, lambda page, text: name.sub(lambda found: renamed[found[0]], text))
 
 
 # --- style sheets -------------------------------------------------------------------------------
@@ -114,8 +109,8 @@ def one_sheet(folder):
     version = hashlib.sha256((folder / SHEET).read_bytes()).hexdigest()[:8]
     for page, text in texts.items():
         if used[page]:
-            up = "../" * (len(page.relative_to(folder).parts) - 1)
-            link = f'\n    <link rel="stylesheet" href="{up}{SHEET}?v={version}">'
+            address = f"{way_up(folder, page)}{SHEET}?v={version}"
+            link = f'\n    <link rel="stylesheet" href="{address}">'
             first = LINK.search(text)
             rest = LINK.sub("", text[first.end() :])
             page.write_text(text[: first.start()] + link + rest, encoding="utf-8")
@@ -160,12 +155,14 @@ def purged(folder, sheets, shown=None):
 
 def remove_unused_scripts(folder):
     """An extension of Sphinx brings its script to every page; here only to those it works on."""
-    for page in pages_of(folder):
-        text = page.read_text(encoding="utf-8")
+
+    def change(page, text):
         for script, sign in WORKS_ON.items():
             if sign not in text:
                 text = re.sub(rf"\s*<script[^>]*/{script}[^>]*></script>", "", text)
-        page.write_text(text, encoding="utf-8")
+        return text
+
+    change_all(folder, change)
 
 
 # --- fonts --------------------------------------------------------------------------------------
@@ -184,16 +181,14 @@ def shrink_fonts(folder):
 
 
 def letters_of(folder):
-    shown = set()
-    for page in pages_of(folder):
-        shown |= set(html.unescape(TAG.sub("", page.read_text(encoding="utf-8"))))
+    shown = set(html.unescape(TAG.sub("", text_of_all(folder))))
     for script in (folder / "_static").rglob("*.js"):
         shown |= set(script.read_text(encoding="utf-8"))
     return sorted(map(ord, shown))
 
 
 def shrink_font(path, letters):
-    font = TTFont(path)
+    font = TTFont(path, recalcTimestamp=False)  # the same letters, the same file
     if "fvar" in font:
         weights = REGULAR if "italic" in path.name else WEIGHTS
         font = instancer.instantiateVariableFont(font, {"wght": weights})
@@ -210,4 +205,4 @@ def written_and_read(font):
     font.flavor = None
     font.save(stored)
     stored.seek(0)
-    return TTFont(stored)
+    return TTFont(stored, recalcTimestamp=False)

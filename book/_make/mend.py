@@ -5,6 +5,8 @@ What stands inside a page is mended by book/_ext/languages.py (mend_markup).
 
 import re
 
+from pages import change_all
+
 VIEWPORT = re.compile(r'(<meta name="viewport"[^>]*>)\s*<meta name="viewport"[^>]*>')
 SEARCH = re.compile(r'(<button class="btn search-button-field[^>]*?)\s+aria-label="[^"]*"')
 BRANCH = re.compile(r'<summary>(?=<span class="toctree-toggle")')
@@ -19,9 +21,7 @@ WORDS = {
 
 def mend(folder, language):
     """Every page of one language."""
-    for page in folder.rglob("*.html"):
-        text = page.read_text(encoding="utf-8")
-        page.write_text(mended(text, WORDS[language]), encoding="utf-8")
+    change_all(folder, lambda page, text: mended(text, WORDS[language]))
 
 
 def mended(text, words):

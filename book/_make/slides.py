@@ -13,26 +13,24 @@ from pathlib import Path
 
 import light
 import offline
-import yaml
 from bs4 import BeautifulSoup
 from edition import edition
+from lists import chapters
 from places import ROOT, SITE
+from texts import LANGUAGES, OTHER
 
 WORDS = {
     "id": {
         "slides": "Salindia",
         "page": "Baca bab ini",
         "keys": "Panah kanan: bagian berikutnya. Panah bawah atau spasi: lanjut di bagian ini.",
-        "other": "English",
     },
     "en": {
         "slides": "Slides",
         "page": "Read this chapter",
         "keys": "Right arrow: the next section. Down arrow or space: go on in this section.",
-        "other": "Bahasa Indonesia",
     },
 }
-OTHER = {"id": "en", "en": "id"}
 SOURCE = ROOT / "book" / "slides"
 REVEAL = offline.NODE_MODULES / "reveal.js" / "dist"
 PLACE = "_static/vendor/slides"  # of the scripts and the sheet, in the folder of a language
@@ -45,13 +43,6 @@ ONLY_FOR_A_PAGE = (
     "a.headerlink, .exercise-progress, .exercise-verdict, .exercise-hints, .toctree-wrapper, "
     "details.above-input, details.below-input"
 )
-
-
-def chapters():
-    """The chapters of _toc.yml, without their deeper pages."""
-    toc = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))
-    files = [entry["file"] for part in toc["parts"] for entry in part["chapters"]]
-    return [name for name in files if name.startswith("notebooks/")]
 
 
 def write_slides(language):
@@ -115,7 +106,7 @@ def first_part(language, title, name):
         f'<section class="part front"><p class="slide-book">{book}</p><h1>{title}</h1>'
         f'<p class="slide-links"><a href="../notebooks/{name}.html">{words["page"]}</a> · '
         f'<a lang="{other}" hreflang="{other}" href="../../{other}/slides/{name}.html">'
-        f'{words["other"]}</a></p><p class="slide-keys">{words["keys"]}</p></section>'
+        f'{LANGUAGES[other]}</a></p><p class="slide-keys">{words["keys"]}</p></section>'
     )
 
 
@@ -123,7 +114,7 @@ def frame(soup, language, name, title, parts):
     words, book = WORDS[language], edition()["title"][language]
     themes = [part for part in soup.head.select("script:not([src])") if "dataset" in part.text]
     head = [str(part) for part in [*soup.head.select(HEAD), *themes]]
-    twins = [(code, f"../../{code}/slides/{name}.html") for code in OTHER]
+    twins = [(code, f"../../{code}/slides/{name}.html") for code in LANGUAGES]
     twins.append(("x-default", "../../index.html"))
     head += [f'<link rel="alternate" hreflang="{code}" href="{twin}">' for code, twin in twins]
     head.append(f'<link rel="stylesheet" href="../{PLACE}/slides.css">')

@@ -11,6 +11,7 @@ import yaml
 from bs4 import BeautifulSoup
 from edition import edition
 from places import ROOT, SITE
+from texts import choose
 
 WORDS = {
     "id": {
@@ -139,7 +140,7 @@ def write_whole(language):
     for caption, names in pages_in_order():
         pages = [Page(language, name) for name in names]
         if caption:
-            title = words["deeper"] if caption == "deeper" else half(caption, language)
+            title = words["deeper"] if caption == "deeper" else choose(caption, language)
             contents.append(f'<li class="part">{html.escape(title)}</li>')
         for page in pages:
             contents.append(f'<li><a href="#{slug(page.name)}">{html.escape(page.title)}</a></li>')
@@ -156,11 +157,6 @@ def write_whole(language):
         frame(language, cover(language), contents_page(words, contents), *parts), encoding="utf-8"
     )
     return path
-
-
-def half(caption, language):
-    indonesian, _, english = caption.partition(" | ")
-    return indonesian if language == "id" else english
 
 
 def cover(language):
