@@ -120,6 +120,8 @@ def visit(page, path, scheme, address, trouble):
     if is_redirect(path):
         page.wait_for_selector("article")  # the page it leads to
         return entry
+    if path.parent.name == "slides":
+        page.wait_for_selector("html.ready")  # parted into slides, and the controls named
     entry["width"] = page.evaluate("document.documentElement.scrollWidth")
     if scheme == "http":
         entry |= contents(page)

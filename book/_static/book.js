@@ -31,17 +31,22 @@
     iconCheck = iconCheck.replace("Copied!", messages.en.copy_success);
   }
 
-  /** The other language opens at the same section with the same settings, and is remembered. */
+  /** The other language opens at the same section with the same settings. */
   function prepareSwitcher(link) {
     link.addEventListener("click", () => {
       const id = sectionInView();
       link.hash = location.hash.includes(":") ? location.hash : id;
-      try {
-        localStorage.setItem("book-language", link.hreflang);
-      } catch {
-        // storage is switched off
-      }
     });
+  }
+
+  /** The first page opens the language that was read last. (Kept here, not at the tap on the switcher: what
+      a page keeps while it is being left can be lost, seen once from file://.) */
+  function rememberLanguage() {
+    try {
+      localStorage.setItem("book-language", document.documentElement.lang);
+    } catch {
+      // storage is switched off
+    }
   }
 
   /** A box that scrolls must be reachable with the keyboard. */
@@ -97,6 +102,7 @@
     });
   }
 
+  rememberLanguage();
   if (document.documentElement.lang === "id" && typeof messages !== "undefined") {
     translateCopyButton();
   }
