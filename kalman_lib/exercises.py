@@ -3,7 +3,8 @@
     check("2.1", 0.27)    # is this the answer? If not: what to think of next
     check("2.4", "b")     # a choice is answered with its letter
     check("2.1")          # how is it answered, and what is there to choose?
-    check("2.1", "?")     # the worked solution, after two tries or the right answer
+    check("2.1", "?")     # the worked solution, after two tries or the right answer (an edition for
+                          # students has none)
 
 The questions stand in the chapters. What is right about them, and what is said then, is metadata of
 their cells, which `make explorers` collects.
@@ -25,6 +26,10 @@ WORDS = {
     "open": {
         "id": "Penyelesaiannya kini dapat dibuka: `check(\"{number}\", \"?\")`",
         "en": "The solution can be opened now: `check(\"{number}\", \"?\")`",
+    },
+    "kept": {
+        "id": "Dalam edisi ini penyelesaiannya ada pada pengajar.",
+        "en": "In this edition the lecturer has the solutions.",
     },
     "closed": {
         "id": "Cobalah dahulu: sesudah dua jawaban, penyelesaiannya dapat dibuka.",
@@ -64,20 +69,27 @@ def check(number, answer=_ASKED, *rest):
     if rest:
         _say(WORDS["point"])
     elif isinstance(answer, str) and answer.strip() == "?":
-        _say(exercise["solution"] if state.open else WORDS["closed"])
+        _say(_solution(exercise, state))
     elif (value := _value(exercise, answer)) is None:
         _say(*_how_to_answer(number, exercise))
     else:
         _judge(number, exercise, state, value)
 
 
+def _solution(exercise, state):
+    if "solution" not in exercise:
+        return WORDS["kept"]
+    return exercise["solution"] if state.open else WORDS["closed"]
+
+
 def _judge(number, exercise, state, value):
     name = grading.take(state, grading.grade(exercise, value))
+    has_solution = "solution" in exercise
     if name is None:
-        _say(WORDS["right"], exercise["solution"])
+        _say(WORDS["right"], *([exercise["solution"]] if has_solution else []))
         return
     told = [_joined(WORDS["wrong"], grading.hint(exercise, name))]
-    if state.open:
+    if state.open and has_solution:
         told.append(_filled(WORDS["open"], number=number))
     _say(*told)
 

@@ -185,6 +185,15 @@ def told(monkeypatch, capsys):
     return tell
 
 
+def test_an_edition_for_students_answers_without_a_solution(told, monkeypatch):
+    bare = {name: value for name, value in EXERCISES["1.1"].items() if name != "solution"}
+    monkeypatch.setattr(room, "_exercise", lambda number: bare)
+    for language, word in (("id", "pengajar"), ("en", "lecturer")):
+        room._states.clear()
+        assert told(language, "1.1", bare["answer"]) == room.WORDS["right"][language]
+        assert word in told(language, "1.1", "?")
+
+
 @pytest.mark.parametrize("number, answer, right, mistake", GRADED)
 def test_what_is_right(number, answer, right, mistake):
     exercise = EXERCISES[number]

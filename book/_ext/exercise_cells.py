@@ -10,9 +10,11 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
+import yaml
 from texts import LANGUAGES
 
-NOTEBOOKS = Path(__file__).resolve().parent.parent.parent / "notebooks"
+ROOT = Path(__file__).resolve().parent.parent.parent
+NOTEBOOKS, CONFIG = ROOT / "notebooks", ROOT / "_config.yml"
 FILE = "exercises.json"
 TAG, PROOF = "exercise", "proof"
 KINDS = {  # what an exercise of each kind has beside what all of them have
@@ -80,7 +82,19 @@ def everywhere(folder=NOTEBOOKS):
 
 def as_json(folder=NOTEBOOKS):
     """What kalman_lib.exercises reads: {number: about}."""
-    return json.dumps({found.number: found.about for found in everywhere(folder)})
+    return json.dumps({found.number: for_students(found.about) for found in everywhere(folder)})
+
+
+def has_solutions():
+    """Does this edition hold the solutions? `solutions` of book_edition in _config.yml says so."""
+    config = yaml.safe_load(CONFIG.read_text(encoding="utf-8"))
+    return config["sphinx"]["config"]["book_edition"]["solutions"]
+
+
+def for_students(about):
+    """Everything about an exercise that a reader of this edition may see."""
+    kept = about if has_solutions() else set(about) - {"solution"}
+    return {name: value for name, value in about.items() if name in kept}
 
 
 # --- what is wrong with one -----------------------------------------------------------------------

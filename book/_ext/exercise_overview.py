@@ -24,6 +24,7 @@ WORDS = {
         "code": "kode",
         "head": ("Latihan", "Soal", "Jawaban", "Kekeliruan yang lazim"),
         "none": "Belum ada latihan.",
+        "kept": "Edisi ini untuk mahasiswa: jawabannya ada pada pengajar.",
     },
     "en": {
         "number": "number",
@@ -31,6 +32,7 @@ WORDS = {
         "code": "code",
         "head": ("Exercise", "Question", "Answer", "Typical mistakes"),
         "none": "There are no exercises yet.",
+        "kept": "This is an edition for students: the lecturer has the answers.",
     },
 }
 
@@ -41,6 +43,8 @@ class OverviewDirective(SphinxDirective):
     def run(self):
         self.language = self.config.language
         self.words = WORDS[self.language]
+        if not exercise_cells.has_solutions():
+            return [nodes.paragraph("", "", nodes.strong("", self.words["kept"]))]
         found = []
         for path in sorted(exercise_cells.NOTEBOOKS.glob("*.ipynb")):
             self.env.note_dependency(str(path))

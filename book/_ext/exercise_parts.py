@@ -81,7 +81,7 @@ def block(number, about, language, parse):
         part("form", {"novalidate": "", "autocomplete": "off"}, *fields),
         verdict,
         hints(about, parse),
-        solution(about, words, parse),
+        *solution(about, words, parse),
     )
     found["number"] = number
     return found
@@ -106,13 +106,13 @@ def hints(about, parse):
 
 
 def solution(about, words, parse):
-    """Can be opened without a script, too; with one only after two tries."""
-    return part(
-        "details",
-        {"class": "exercise-solution"},
-        part("summary", {}, words["solution"]),
-        part("div", {"class": "exercise-worked"}, *parse(about["solution"])),
-    )
+    """Can be opened without a script, too; with one only after two tries. An edition for students
+    has none."""
+    if "solution" not in about:
+        return []
+    name = part("summary", {}, words["solution"])
+    worked = part("div", {"class": "exercise-worked"}, *parse(about["solution"]))
+    return [part("details", {"class": "exercise-solution"}, name, worked)]
 
 
 # --- the fields of each kind ----------------------------------------------------------------------

@@ -67,6 +67,7 @@ class ExerciseDirective(SphinxDirective):
         about = self.env.temp_data["exercises"][number]
         if any(exercise_cells.problems_of_metadata(about)):
             return []  # report_problems has told it
+        about = exercise_cells.for_students(about)
         about = exercise_cells.in_language(about, self.config.language)
         parse = functools.partial(exercise_parts.markdown, self)
         return [exercise_parts.block(number, about, self.config.language, parse)]

@@ -9,6 +9,7 @@ import re
 from pathlib import Path
 
 from docutils import nodes
+from exercise_cells import has_solutions
 from sphinx.util import logging
 from texts import (
     LANGUAGES,
@@ -180,7 +181,7 @@ def text_to_download(source, language):
     text = source.read_text(encoding="utf-8")
     if source.suffix != ".ipynb":
         return filter_markdown(text, language)
-    notebook = download_notebook(json.loads(text), language, HINT[language])
+    notebook = download_notebook(json.loads(text), language, HINT[language], has_solutions())
     return json.dumps(notebook, indent=1, ensure_ascii=False)
 
 

@@ -45,6 +45,6 @@ def shortened(text):
 
 
 def setup(app):
-    app.add_config_value("book_edition", {}, "html")
+    app.add_config_value("book_edition", {}, "env")
     app.connect("html-page-context", describe)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

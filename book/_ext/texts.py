@@ -76,12 +76,14 @@ def headings(markdown):
 # --- what a reader takes home -------------------------------------------------------------------
 
 
-def download_notebook(notebook, language, hint=""):
+def download_notebook(notebook, language, hint="", has_solutions=True):
     """The notebook in one language, with stored outputs, without what only this build knows.
 
-    hint is a text for below its title.
+    hint is a text for below its title; an edition without solutions leaves out their proofs, too.
     """
     notebook = copy.deepcopy(filter_notebook(notebook, language))
+    if not has_solutions:
+        notebook["cells"] = [cell for cell in notebook["cells"] if not is_proof(cell)]
     names = citations(BIBLIOGRAPHY, language)
     name_choices(notebook["cells"], language)
     for cell in notebook["cells"]:
@@ -97,6 +99,11 @@ def download_notebook(notebook, language, hint=""):
     for name in ("widgets", "book"):
         notebook["metadata"].pop(name, None)
     return notebook
+
+
+def is_proof(cell):
+    """Does this cell prove the answer of an exercise?"""
+    return "proof" in cell["metadata"].get("tags", [])
 
 
 def name_choices(cells, language):

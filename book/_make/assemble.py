@@ -14,6 +14,7 @@ import slides
 import texts
 import yaml
 from edition import edition
+from exercise_cells import has_solutions
 from pages import change_all, text_of_all
 from places import BUILD, ROOT, SITE
 
@@ -106,7 +107,7 @@ def write_zip(language, path):
             archive.write(whole, f"{top}/{whole.name}")
         for source in sorted((ROOT / "notebooks").glob("*.ipynb")):
             notebook = json.loads(source.read_text(encoding="utf-8"))
-            content = texts.download_notebook(notebook, language)
+            content = texts.download_notebook(notebook, language, has_solutions=has_solutions())
             lead_to_the_site(content, language)
             text = json.dumps(content, indent=1, ensure_ascii=False)
             archive.writestr(f"{top}/notebooks/{source.name}", text)

@@ -133,6 +133,14 @@ class Page:
         return f"#{slug(target)}--{name}" if name else f"#{slug(target)}"
 
 
+def sheet_of(solutions, words):
+    worked = "".join(f"<p><b>{html.escape(name)}</b></p>{answer}" for name, answer in solutions)
+    return (
+        f'<section class="page" id="solutions"><article class="bd-article">'
+        f"<h1>{words['solutions']}</h1>{worked}</article></section>"
+    )
+
+
 def write_whole(language):
     """-> the path of the document, in the folder of the language, for its style and pictures."""
     words = WORDS[language]
@@ -146,12 +154,9 @@ def write_whole(language):
             contents.append(f'<li><a href="#{slug(page.name)}">{html.escape(page.title)}</a></li>')
             parts.append(f'<section class="page" id="{slug(page.name)}">{page.article}</section>')
             solutions += page.solutions
-    contents.append(f'<li class="part"><a href="#solutions">{words["solutions"]}</a></li>')
-    worked = "".join(f"<p><b>{html.escape(name)}</b></p>{answer}" for name, answer in solutions)
-    parts.append(
-        f'<section class="page" id="solutions"><article class="bd-article">'
-        f"<h1>{words['solutions']}</h1>{worked}</article></section>"
-    )
+    if solutions:  # an edition for students has none
+        contents.append(f'<li class="part"><a href="#solutions">{words["solutions"]}</a></li>')
+        parts.append(sheet_of(solutions, words))
     path = SITE / language / "whole.html"
     path.write_text(
         frame(language, cover(language), contents_page(words, contents), *parts), encoding="utf-8"

@@ -15,7 +15,7 @@ export class Exercise {
     this.about = JSON.parse(element.dataset.about);
     this.answer = answerOf(element, this.about);
     this.verdict = element.querySelector(".exercise-verdict");
-    this.solution = element.querySelector(".exercise-solution");
+    this.solution = element.querySelector(".exercise-solution"); // null in an edition for students
     this.name = document.getElementById(element.getAttribute("aria-labelledby"));
     this.tick = make("span", {
       className: "exercise-tick",
@@ -100,7 +100,8 @@ export class Exercise {
     const { wrong } = this.state;
     const verdict = wrong > 1 ? this.t.say(WORDS.again, { n: String(wrong) }) : this.t.say(WORDS.wrong);
     const hint = this.element.querySelector(`.exercise-hints [data-hint="${name}"]`).cloneNode(true);
-    const opened = isOpen(this.state) && !wasOpen ? [this.sentence(WORDS.open)] : [];
+    const opensNow = this.solution !== null && isOpen(this.state) && !wasOpen;
+    const opened = opensNow ? [this.sentence(WORDS.open)] : [];
     this.tell("wrong", verdict, hint, ...opened);
   }
 
@@ -114,7 +115,9 @@ export class Exercise {
   }
 
   show() {
-    this.solution.hidden = !isOpen(this.state);
+    if (this.solution !== null) {
+      this.solution.hidden = !isOpen(this.state);
+    }
     if (this.state.right) {
       this.name.after(this.tick);
     } else {
@@ -128,7 +131,7 @@ export class Exercise {
     this.state = newState();
     this.answer.typed = "";
     this.answer.mark(false);
-    this.solution.open = false;
+    this.solution?.removeAttribute("open");
     this.tell("", "");
     this.show();
   }

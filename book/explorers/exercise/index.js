@@ -16,6 +16,7 @@ const place = document.querySelector(".exercise-progress");
 if (place) {
   progress = new Progress(place, t, exercises);
 }
-if (exercises.length > 0) {
-  new Paper(exercises, t);
+const solved = exercises.filter(({ solution }) => solution !== null);
+if (solved.length > 0) {
+  new Paper(solved, t);
 }
