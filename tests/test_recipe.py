@@ -87,7 +87,9 @@ def test_no_other_file_had_to_change(copy):
 def test_the_rules_of_the_house_hold(copy):
     rules = ("test_lists", "test_imports", "test_house", "test_notebooks", "test_exercises")
     rules += ("test_terms", "test_letters")
-    pytest_in(copy, "tests/test_toy.py", *(f"tests/{name}.py" for name in rules))
+    files = [f"tests/{name}.py" for name in rules]
+    pytest_in(copy, "-p", "tests.recipe.only_toy", *files)
+    pytest_in(copy, "tests/test_toy.py")
 
 
 def test_its_page_and_its_model_agree(copy):
