@@ -103,12 +103,12 @@ def test_standard_errors_come_from_the_curvature():
 
 
 def test_the_general_fit_finds_the_same_maximum():
-    z = ship.simulate(TRUE, np.random.default_rng(4), 200).z[:, 0]
+    z = ship.simulate(TRUE, np.random.default_rng(4), 80).z[:, 0]
     p = ship.fitted(z, replace(TRUE, Q=0.01, R=0.01))
     quick = ship.most_likely(z, p)
     start = {name: getattr(p, name) for name in NAMES}
     found = fit(
-        lambda **values: ship.model(replace(p, **values)), start, z, u=np.ones(200), free=NAMES[:3]
+        lambda **values: ship.model(replace(p, **values)), start, z, u=np.ones(80), free=NAMES[:3]
     )
     assert found.log_likelihood == pytest.approx(quick.log_likelihood, abs=1e-6)
     assert found.values == pytest.approx(quick.values, rel=1e-3) and found.errors == pytest.approx(
