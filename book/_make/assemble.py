@@ -5,6 +5,7 @@ import re
 import shutil
 import zipfile
 
+import embeds
 import found
 import kept
 import licences
@@ -46,8 +47,11 @@ def assemble(outputs):
         shutil.copytree(output, folder, ignore=shutil.ignore_patterns(*NOT_FOR_READERS))
         remove_old_pictures(folder)
         mend.mend(folder, language)
+        embeds.show_lines(folder, language)
+        sheet = embeds.sheet_of(folder)
         light.lighten(folder)
         slides.write_slides(language)
+        embeds.write_embeds(language, sheet)
         take_pdf(folder, f"{ZIP_NAMES[language]}.pdf")
         write_workbook(folder / "kalman.xlsx")
         write_zip(language, folder / f"{ZIP_NAMES[language]}.zip")

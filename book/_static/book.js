@@ -102,6 +102,19 @@
     });
   }
 
+  /** The lines for other people's pages name this site, where nobody has written down its address. */
+  function nameThisSite() {
+    const unknown = document.querySelector(".embed-unknown");
+    if (unknown === null || !location.protocol.startsWith("http")) {
+      return;
+    }
+    const here = new URL("../..", location).href.replace(/\/$/, "");
+    for (const line of document.querySelectorAll(".embed-lines pre")) {
+      line.textContent = line.textContent.replace(unknown.dataset.placeholder, here);
+    }
+    unknown.remove();
+  }
+
   rememberLanguage();
   if (document.documentElement.lang === "id" && typeof messages !== "undefined") {
     translateCopyButton();
@@ -113,6 +126,7 @@
       button.setAttribute("aria-label", toggleHintShow);
     }
     foldCode();
+    nameThisSite();
     makeBoxesFocusable();
     window.addEventListener("load", makeBoxesFocusable); // the fonts are here now
     window.addEventListener("resize", makeBoxesFocusable);
