@@ -115,6 +115,13 @@
     unknown.remove();
   }
 
+  /** What prints the page says so with an attribute: no page holds a script (book/_make/policy.py). */
+  function preparePrinting() {
+    for (const button of document.querySelectorAll("[data-print]")) {
+      button.addEventListener("click", () => window.print());
+    }
+  }
+
   rememberLanguage();
   if (document.documentElement.lang === "id" && typeof messages !== "undefined") {
     translateCopyButton();
@@ -127,6 +134,7 @@
     }
     foldCode();
     nameThisSite();
+    preparePrinting();
     makeBoxesFocusable();
     window.addEventListener("load", makeBoxesFocusable); // the fonts are here now
     window.addEventListener("resize", makeBoxesFocusable);
