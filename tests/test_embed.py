@@ -77,6 +77,7 @@ def test_every_explorer_of_the_book_has_a_bare_page_that_leads_to_its_chapter(la
         assert page.html["lang"] == language
         assert (element["paper"], element.get("view")) == (paper, view)
         titles.add(page.title.text)
+        assert page.title.text.startswith(page.h1.text)
         assert page.select_one("meta[name=robots]")["content"] == "noindex"
         link = page.select_one(".embed-source a")
         home, _, key = link["href"].partition("#")
