@@ -81,8 +81,8 @@ def main():
             f"{'frames/s':>10}{'4x slower':>11}{'painting':>12}"
         )
         for path in sorted((SITE / "en").rglob("*.html")):
-            is_slides = path.parent.name == "slides"  # what its chapter shows
-            if not is_slides and "<kalman-explorer" in path.read_text(encoding="utf-8"):
+            is_again = path.parent.name in ("slides", "embed")  # what its chapter shows
+            if not is_again and "<kalman-explorer" in path.read_text(encoding="utf-8"):
                 name = path.relative_to(SITE).as_posix()
                 time_page(browser, f"http://127.0.0.1:{server.server_port}/{name}")
         browser.close()

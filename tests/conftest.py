@@ -80,11 +80,15 @@ def browser():
 
 
 def patient(make):
-    """The browser's function that makes a context or a page, with time for a busy machine."""
+    """The browser's function that makes a context or a page, with time for a busy machine.
+
+    Playwright waits for a function by evaluating a text, which the policy of our pages forbids; so
+    it is passed by, except where a test says bypass_csp=False (test_csp.py, the walk of test_site).
+    """
 
     @functools.wraps(make)
     def made(**options):
-        context = make(**options)
+        context = make(**{"bypass_csp": True, **options})
         context.set_default_timeout(PATIENCE)
         return context
 

@@ -26,7 +26,8 @@ def pages_with_explorers(site, language):
     return [
         path
         for path in sorted((site / language).rglob("*.html"))
-        if path.parent.name != "slides"  # they show those of their chapters: test_slides.py
+        # they show those of their chapters: test_slides.py, test_embed.py
+        if path.parent.name not in ("slides", "embed")
         and "<kalman-explorer" in path.read_text(encoding="utf-8")
     ]
 

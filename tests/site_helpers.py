@@ -79,7 +79,7 @@ def twin(name):
 
 def is_redirect(path):
     text = path.read_text(encoding="utf-8")
-    return 'http-equiv="refresh"' in text or "location.replace" in text
+    return 'http-equiv="refresh"' in text or "choose.js" in text
 
 
 def note_trouble(page, base):

@@ -43,14 +43,7 @@ def test_every_explorer_lives_without_an_error(scheme, language, site, server, o
     assert seen == set(PAPERS)
 
 
-def test_print_and_no_script_show_the_picture(site, server, chromium, opened):
-    for name, page, _, element in explorers(site, opened):
-        page.set_viewport_size({"width": 900, "height": 900})
-        page.emulate_media(media="print")
-        assert element.locator("> img").is_visible(), name
-        assert not element.locator(".explorer").is_visible(), name
-        page.emulate_media(media="screen")
-        page.set_viewport_size(PHONE)
+def test_without_a_script_the_picture_stays(site, server, chromium):
     context = chromium.new_context(java_script_enabled=False)
     page = context.new_page()
     page.goto(f"{server}/{pages_with_explorers(site, 'id')[0].relative_to(site).as_posix()}")

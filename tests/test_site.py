@@ -21,7 +21,7 @@ def walk(site, bases, chromium):
     found = []
     for scheme, base in bases.items():
         context = chromium.new_context(
-            viewport=PHONE, reduced_motion="reduce", service_workers="block"
+            viewport=PHONE, reduced_motion="reduce", service_workers="block", bypass_csp=False
         )
         page = context.new_page()
         trouble = note_trouble(page, base)

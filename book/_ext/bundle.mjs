@@ -107,8 +107,11 @@ function collected(papers) {
   return `${imports.join("\n")}\nconst papers = { ${parts.join(", ")} };\n`;
 }
 
-/** {paper: {view: {name: value}}}: where every control of a view starts, for Python. */
-async function startsOf(papers, options) {
+/**
+ * For Python: starts, {paper: {view: {name: value}}}, where every control of a view starts; names,
+ * {paper: {view: {id, en}}}, what a view is called.
+ */
+async function startsAndNamesOf(papers, options) {
   const contents = `${collected(papers)}
     import { completeControls, defaultsOf, isData } from "./element/settings.js";
     const startOf = (view, table) => {
@@ -120,10 +123,10 @@ async function startsOf(papers, options) {
     const all = (values, make) =>
       Object.fromEntries(Object.entries(values).map(([name, value]) => [name, make(value)]));
     const startsOf = ({ paper, table }) => all(paper.views, (view) => startOf(view, table));
-    export const starts = all(papers, startsOf);`;
+    export const starts = all(papers, startsOf);
+    export const names = all(papers, ({ paper }) => all(paper.views, (view) => view.name));`;
   const text = await bundle({ ...options, stdin: { ...options.stdin, contents } }, [oneLanguage(null)]);
-  const { starts } = await import(`data:text/javascript;base64,${Buffer.from(text).toString("base64")}`);
-  return starts;
+  return import(`data:text/javascript;base64,${Buffer.from(text).toString("base64")}`);
 }
 
 /** What a notebook shows: one module with everything, and its style sheet. */
@@ -134,10 +137,12 @@ async function forCell({ sources, data, papers }) {
     import { widget } from "./jupyter/widget.js";
     export default widget(papers);`;
   const entry = { ...options, stdin: { ...stdin, contents } };
+  const { starts, names } = await startsAndNamesOf(papers, options);
   const files = {
     "widget.js": await bundle(entry, [oneLanguage(null)]),
     "widget.css": await bundle({ entryPoints: [path.join(sources, "jupyter", "cell.css")] }, []),
-    "starts.json": JSON.stringify(await startsOf(papers, options)),
+    "starts.json": JSON.stringify(starts),
+    "names.json": JSON.stringify(names),
   };
   const views = {};
   for (const paper of Object.keys(papers)) {

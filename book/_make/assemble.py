@@ -5,11 +5,13 @@ import re
 import shutil
 import zipfile
 
+import embeds
 import found
 import kept
 import licences
 import light
 import mend
+import policy
 import slides
 import texts
 import yaml
@@ -47,16 +49,22 @@ def assemble(outputs):
         shutil.copytree(output, folder, ignore=shutil.ignore_patterns(*NOT_FOR_READERS))
         remove_old_pictures(folder)
         mend.mend(folder, language)
+        policy.take_out_scripts(folder)
+        embeds.show_lines(folder, language)
+        sheet = embeds.sheet_of(folder)
         light.lighten(folder)
         slides.write_slides(language)
+        embeds.write_embeds(language, sheet)
+        policy.write_policy(folder)
         take_pdf(folder, f"{ZIP_NAMES[language]}.pdf")
         write_workbook(folder / "kalman.xlsx")
         write_zip(language, folder / f"{ZIP_NAMES[language]}.zip")
         kept.write_language(language, page)
     choose = kept.filled("choose.html", page=page, **edition()["title"])
-    (SITE / "index.html").write_text(choose, encoding="utf-8")
+    (SITE / "index.html").write_text(policy.with_policy(choose), encoding="utf-8")
     kept.write_root(page)
     found.write_found(page)
+    policy.write_headers()
     licences.write_licences(outputs["en"])
 
 

@@ -7,6 +7,7 @@ from kept import plain_page
 from places import SITE
 
 NOT_LISTED = {"index.html", "search.html", "genindex.html"}
+NOT_LISTED_FOLDERS = {"slides", "embed"}  # they say what a chapter says
 
 
 def write_found(page):
@@ -30,7 +31,7 @@ def sitemap(address):
         ' xmlns:xhtml="http://www.w3.org/1999/xhtml">',
     ]
     for page in sorted((SITE / "id").rglob("*.html")):
-        if page.name in NOT_LISTED or page.parent.name == "slides":  # they say what a chapter says
+        if page.name in NOT_LISTED or page.parent.name in NOT_LISTED_FOLDERS:
             continue
         name = page.relative_to(SITE / "id").as_posix()
         twins = "".join(

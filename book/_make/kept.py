@@ -8,10 +8,12 @@ import json
 
 from edition import edition
 from places import ROOT, SITE
+from policy import with_policy
 
 PAGES = {".html", ".css", ".js", ".png", ".svg", ".webp", ".ico", ".woff2", ".webmanifest"}
 DOWNLOADS = {".xlsx", ".ipynb", ".md", ".pdf", ".whl", ".zip"}  # kept last
 WORKER = "offline-worker.js"
+CHOOSE = "choose.js"  # of index.html
 UNKEPT = "unkept.html"  # the page for a language that was never opened
 PAPER = "#fdfcf9"
 ACCENT = "#0f6b6b"
@@ -30,7 +32,7 @@ def plain_page(name, **values):
     """A page that speaks both languages: its title and its text in the common frame."""
     title, text = filled(name, **values).split("\n", 1)
     indonesian, english = title.split(" | ")
-    return filled("plain.html", id=indonesian, en=english, text=text.rstrip())
+    return with_policy(filled("plain.html", id=indonesian, en=english, text=text.rstrip()))
 
 
 def write_language(language, page):
@@ -45,7 +47,8 @@ def write_root(page):
     """The folder above both: the page that chooses a language, and the one that says what is
     missing."""
     (SITE / UNKEPT).write_text(plain_page(UNKEPT, page=page), encoding="utf-8")
-    write_worker(SITE, [SITE / "index.html", SITE / UNKEPT], UNKEPT)
+    (SITE / CHOOSE).write_text(filled(CHOOSE), encoding="utf-8")
+    write_worker(SITE, [SITE / "index.html", SITE / CHOOSE, SITE / UNKEPT], UNKEPT)
 
 
 def files_in(folder):

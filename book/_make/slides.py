@@ -36,7 +36,8 @@ REVEAL = offline.NODE_MODULES / "reveal.js" / "dist"
 PLACE = "_static/vendor/slides"  # of the scripts and the sheet, in the folder of a language
 HEAD = (
     "meta[charset], meta[name=viewport], meta[name=theme-color], link[rel=icon], "
-    "link[rel=apple-touch-icon], link[rel=manifest], link[rel=canonical], link[rel=stylesheet]"
+    "link[rel=apple-touch-icon], link[rel=manifest], link[rel=canonical], link[rel=stylesheet], "
+    "script[src*='/start.js']"
 )
 SCRIPTS = "script[src*='/vendor/explorers/'], script[src*='/offline.js']"
 ONLY_FOR_A_PAGE = (
@@ -112,8 +113,7 @@ def first_part(language, title, name):
 
 def frame(soup, language, name, title, parts):
     words, book = WORDS[language], edition()["title"][language]
-    themes = [part for part in soup.head.select("script:not([src])") if "dataset" in part.text]
-    head = [str(part) for part in [*soup.head.select(HEAD), *themes]]
+    head = [str(part) for part in soup.head.select(HEAD)]
     twins = [(code, f"../../{code}/slides/{name}.html") for code in LANGUAGES]
     twins.append(("x-default", "../../index.html"))
     head += [f'<link rel="alternate" hreflang="{code}" href="{twin}">' for code, twin in twins]

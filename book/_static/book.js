@@ -102,6 +102,26 @@
     });
   }
 
+  /** The lines for other people's pages name this site, where nobody has written down its address. */
+  function nameThisSite() {
+    const unknown = document.querySelector(".embed-unknown");
+    if (unknown === null || !location.protocol.startsWith("http")) {
+      return;
+    }
+    const here = new URL("../..", location).href.replace(/\/$/, "");
+    for (const line of document.querySelectorAll(".embed-lines pre")) {
+      line.textContent = line.textContent.replace(unknown.dataset.placeholder, here);
+    }
+    unknown.remove();
+  }
+
+  /** What prints the page says so with an attribute: no page holds a script (book/_make/policy.py). */
+  function preparePrinting() {
+    for (const button of document.querySelectorAll("[data-print]")) {
+      button.addEventListener("click", () => window.print());
+    }
+  }
+
   rememberLanguage();
   if (document.documentElement.lang === "id" && typeof messages !== "undefined") {
     translateCopyButton();
@@ -113,6 +133,8 @@
       button.setAttribute("aria-label", toggleHintShow);
     }
     foldCode();
+    nameThisSite();
+    preparePrinting();
     makeBoxesFocusable();
     window.addEventListener("load", makeBoxesFocusable); // the fonts are here now
     window.addEventListener("resize", makeBoxesFocusable);

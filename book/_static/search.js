@@ -113,5 +113,6 @@
     if (typeof Search !== "undefined" && typeof bookSections !== "undefined") {
       Search.query = show;
     }
+    document.querySelector("form.bd-search input")?.focus();
   });
 })();

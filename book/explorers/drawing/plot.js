@@ -14,6 +14,7 @@ const MARGIN = { left: 50, right: 12, top: 8, bottom: 34 }; // pixels
 const BARE_MARGIN = { left: 1, right: 6, top: 4, bottom: 4 };
 const HEIGHT = 190; // pixels, where the paper says nothing
 const TEXT = 16; // pixels of the text of a page as it usually is
+const PAPER_SCALE = 2.5; // pixels of a printed figure for one of the page: 240 an inch
 const SHARPEST = 3; // pixels of the device for one of the page
 
 export class Plot {
@@ -103,6 +104,24 @@ export class Plot {
     ctx.restore();
     this.sheet.done();
     this.layers = layers;
+  }
+
+  /** The figure and its legend once more, at the end of `around`, painted at once: for paper. */
+  paintAlso(drawing, around, width) {
+    const { spec, canvas: live } = this;
+    const height = spec.height || HEIGHT;
+    const size = { width: width * PAPER_SCALE, height: height * PAPER_SCALE };
+    const canvas = make("canvas", { ...size, role: "img", "aria-label": live.getAttribute("aria-label") });
+    const keys = make("span", { className: "explorer-keys" });
+    const title = this.words.firstChild.cloneNode(true);
+    const words = make("div", { className: "explorer-legend" }, title, keys);
+    around.append(make("div", { className: this.element.className }, words, canvas));
+    const twin = Object.create(this); // what it sets stays its own
+    const ctx = canvas.getContext("2d");
+    Object.assign(twin, { canvas, keys, ctx, width, height, text: 1, scale: PAPER_SCALE, legend: "" });
+    twin.sheet = { done() {} };
+    twin.draw(drawing);
+    twin.renewLegend();
   }
 
   /** Where everything goes: {box, xlim, ylim, X, Y}; x_of and y_of turn pixels into values, place() back. */

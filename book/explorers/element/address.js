@@ -83,7 +83,8 @@ export function takeAddress(explorer) {
     return false;
   }
   const isFirst = readHash().keys().next().value === explorer.key;
-  if (isFirst) {
+  if (isFirst && window.parent === window) {
+    // in a frame it stands at the top anyway, and the page around the frame would be scrolled, too
     requestAnimationFrame(() => explorer.element.scrollIntoView({ block: "start" }));
   }
   return true;

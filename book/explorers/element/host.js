@@ -3,6 +3,7 @@
 import { linkTo, settingsToAddress, takeAddress } from "./address.js";
 import { breakOut } from "./breakout.js";
 import { copy } from "./messages.js";
+import { printState } from "./paper.js";
 
 /**
  * A host is
@@ -30,6 +31,7 @@ export function page() {
       addEventListener("hashchange", follow, { signal: left.signal });
       markAround(explorer.element);
       breakOut(explorer.element, left.signal);
+      printState(explorer, left.signal);
     },
     drawn() {},
     settled: settingsToAddress,

@@ -93,13 +93,10 @@ function numbersBelow(explorer) {
   return explorer.details;
 }
 
-/** Into the page, in the place of the picture, which is still printed. */
+/** Into the page, in the place of the picture. */
 function enter({ element, section }) {
   element.append(section);
   element.classList.add("live");
-  for (const image of element.querySelectorAll("img")) {
-    image.loading = "eager"; // hidden, yet ready to be printed
-  }
 }
 
 /** Only the plots in sight are drawn. */

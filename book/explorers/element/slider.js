@@ -123,7 +123,7 @@ function boxed(input) {
 }
 
 /** A number for a text field: no digit lost, no needless one. */
-function fieldText(value, { language }) {
+export function fieldText(value, { language }) {
   const size = Math.abs(value);
   const isExtreme = size >= 1e6 || (value !== 0 && size < 1e-4);
   const text = isExtreme ? value.toExponential().replace("e+", "e") : String(Number(value.toPrecision(12)));

@@ -32,6 +32,10 @@ export const WORDS = {
   wrong: { id: "Belum. {hint}", en: "Not yet. {hint}" },
   reveal: { id: "Tunjukkan jawabannya", en: "Show the answer" },
   revealed: { id: "Jawabannya {value}. {hint}", en: "The answer is {value}. {hint}" },
+  settings: { id: "Setelan", en: "Settings" },
+  noise_number: { id: "derau nomor", en: "noise number" },
+  yes: { id: "ya", en: "yes" },
+  no: { id: "tidak", en: "no" },
   controls: { id: "Kendali", en: "Controls" },
   drop: { id: "atau seret berkas ke sini", en: "or drop a file here" },
   unreadable: {

@@ -22,6 +22,7 @@ const isMadeUp = (s) => !isOwn(s);
 
 const groups = {
   kind: "buttons",
+  tabs: true,
   items: GROUP_NAMES.map((group) => ({
     ...GROUPS[group],
     set: { group },
