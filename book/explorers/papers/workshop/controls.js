@@ -152,6 +152,17 @@ const motionControls = [
 
 // --- noise -------------------------------------------------------------------------------------------------
 
+/** Where the filter starts, after what its states are. */
+const startControls = ["first_x", "first_P"].map((name) => ({
+  kind: "text",
+  name,
+  rows: 1,
+  kept: true,
+  default: "",
+  ...CONTROLS[name],
+  visible: inGroup("motion"),
+}));
+
 /** The most likely noise, as the sliders can hold it. */
 function keep(s, { found }) {
   const values = Object.entries(found?.values ?? {}).map(([name, value]) => {
@@ -224,6 +235,7 @@ export const controls = [
   groups,
   ...dataControls,
   ...motionControls,
+  ...startControls,
   ...noiseControls,
   ...checkControls,
   ...takeControls,

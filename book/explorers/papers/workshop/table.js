@@ -3,8 +3,9 @@ import { broughtTable, chosenColumns, hasBrought, knownTable } from "../../files
 import { seriesOf } from "../../files/series.js";
 import { InputError } from "../../language/input.js";
 import { inBoth } from "../../language/speaker.js";
+import { WRONG } from "./mistakes.js";
 import { median } from "./model.js";
-import { NOTES, WRONG } from "./words.js";
+import { NOTES } from "./words.js";
 
 const LEAST_ROWS = 10;
 const LONG = [
