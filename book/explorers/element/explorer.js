@@ -10,7 +10,7 @@ import { fillEquations } from "./equations.js";
 import { HandCheck } from "./handcheck.js";
 import { page } from "./host.js";
 import { arrange } from "./layout.js";
-import { tell } from "./messages.js";
+import { tell, tellWhy } from "./messages.js";
 import { completeControls, defaultsOf } from "./settings.js";
 import { holdStill } from "./still.js";
 import { fillTable } from "./tables.js";
@@ -34,7 +34,7 @@ export class Explorer {
     this.host = host;
     this.t = speaker(host.language);
     this.id = `explorer-${key.replace(".", "-")}-${++count}`;
-    this.controls = completeControls(view, table, host.kernel !== null);
+    this.controls = completeControls(view, table);
     this.defaults = { ...defaultsOf(view, this.controls, table), ...host.start };
     this.s = { ...this.defaults, ...host.state }; // the state: what the reader has set
     this.tween = {}; // numbers of the state that are on their way
@@ -139,7 +139,7 @@ export class Explorer {
       this.shown = s;
     } catch (error) {
       this.showControls();
-      tell(this, error);
+      tellWhy(this, error);
       return;
     }
     this.refine(start + WORK_AT_ONCE);

@@ -1,7 +1,7 @@
 // The bytes of an Excel workbook -> grids. The browser unpacks it, which takes a moment: a file control calls
 // `opened` before it puts a file into the state. Twin of kalman_lib/data/sheets.py.
 import { InputError } from "../language/input.js";
-import { quoted } from "./cells.js";
+import { isNumber, quoted } from "./cells.js";
 import { formatsIn, gridIn, relationsIn, sheetsIn, stringsIn } from "./openxml.js";
 import { isArchive } from "./sources.js";
 import { MAX_PART, directoryOf, isDamage, textOfPart } from "./unzip.js";
@@ -23,7 +23,18 @@ export async function opened(file) {
   }
 }
 
-async function gridsOf(bytes, shown) {
+/** The grids of the sheets with numbers, without those in skip. */
+export async function gridsOfSheets({ name, bytes }, skip) {
+  const shown = quoted(name, LONGEST_NAME);
+  try {
+    const grids = await gridsOf(bytes, shown, skip);
+    return grids.filter(([, grid]) => grid.some(([, cells]) => cells.some(isNumber)));
+  } catch (error) {
+    throw isDamage(error) ? damaged(shown) : error;
+  }
+}
+
+async function gridsOf(bytes, shown, skip = []) {
   const tooLarge = () => unpacksTooLarge(shown);
   if (bytes.length > MAX_PACKED) {
     throw tooLarge();
@@ -42,7 +53,7 @@ async function gridsOf(bytes, shown) {
   const grids = [];
   for (const [title, relation] of sheets) {
     const path = pathOf(folder, targets.get(relation) ?? "");
-    if (parts.has(path) && path.includes("worksheet")) {
+    if (!skip.includes(title) && parts.has(path) && path.includes("worksheet")) {
       grids.push([title, gridIn(await textAt(path), title, { strings, formats, from1904 })]);
     }
   }

@@ -1,6 +1,6 @@
 // The controls of the workshop. They come in five groups, one at a time: that is enough for a small screen.
-import { ownControls } from "../../files/own.js";
-import { sensorControl } from "../../sensors/control.js";
+import { ownControls } from "../../own/data.js";
+import { sensorControl } from "../../own/phone.js";
 import { columnNames, isOwn, isTimed } from "./table.js";
 import { patternFor, startingNoise, usesSecond } from "./data.js";
 import { START_F, START_H, readMatrices } from "./matrices.js";

@@ -1,5 +1,5 @@
 // The table of the reader's own: pasted, opened, or recorded with the sensors of the phone.
-import { broughtTable, chosenColumns, hasBrought, knownTable } from "../../files/own.js";
+import { broughtTable, chosenColumns, hasBrought, knownTable } from "../../own/data.js";
 import { seriesOf } from "../../files/series.js";
 import { InputError } from "../../language/input.js";
 import { inBoth } from "../../language/speaker.js";
