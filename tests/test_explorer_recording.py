@@ -21,7 +21,8 @@ WORDS = {
 READ = """e => {
   const { t, gyr, acc, mag, truth, rest_s } = e.explorer.r.flight;
   const list = values => Array.from(values, v => Number.isNaN(v) ? null : v);
-  return [t, gyr, acc, mag, truth].map(list).concat([[rest_s], Array.from(e.explorer.r.result.angles)]);
+  const { angles } = e.explorer.r.result;
+  return [...[t, gyr, acc, mag, truth].map(list), [rest_s], Array.from(angles)];
 }"""
 
 

@@ -22,21 +22,21 @@ function isEmpty(text) {
 
 /** A row or a column, or a number a line. */
 function readState(text, n) {
-  const values = rowsOf("x0", text).flat();
+  const values = rowsOf("x₀", text).flat();
   if (values.length !== n) {
-    throw wrong(START.count, { name: "x0", has: String(values.length), n: String(n) });
+    throw wrong(START.count, { name: "x₀", has: String(values.length), n: String(n) });
   }
   return Float64Array.from(values);
 }
 
 /** The variances as a row or a column, or the whole matrix. */
 function readP0(text, n) {
-  const rows = rowsOf("P0", text);
+  const rows = rowsOf("P₀", text);
   const width = rows[0].length;
   const isWhole = rows.length === n && width === n;
   const isList = (rows.length === 1 || width === 1) && rows.length * width === n;
   if (!isWhole && !isList) {
-    throw wrong(START.shape, { name: "P0", n: String(n) });
+    throw wrong(START.shape, { name: "P₀", n: String(n) });
   }
   const P0 = new Float64Array(n * n);
   rows.flat().forEach((value, i) => {
@@ -60,18 +60,18 @@ function checkCovariance(P0, n) {
   const C = P0.map((value, at) => value / sigma[Math.floor(at / n)] / sigma[at % n]);
   for (let i = 0; i < n; i++) {
     if (C[i * n + i] < 0) {
-      throw wrong(START.negative, { name: "P0" });
+      throw wrong(START.negative, { name: "P₀" });
     }
     for (let j = 0; j < i; j++) {
       if (Math.abs(C[i * n + j] - C[j * n + i]) > ROUNDING) {
-        throw wrong(START.symmetric, { name: "P0", i: String(j + 1), j: String(i + 1) });
+        throw wrong(START.symmetric, { name: "P₀", i: String(j + 1), j: String(i + 1) });
       }
     }
   }
   const L = cholesky(C, n);
   const again = multiplyTransposed(L, L, n, n, n, new Float64Array(n * n));
   if (again.some((value, at) => !(Math.abs(value - C[at]) <= ROUNDING * n))) {
-    throw wrong(START.correlation, { name: "P0" });
+    throw wrong(START.correlation, { name: "P₀" });
   }
 }
 
