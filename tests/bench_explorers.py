@@ -100,7 +100,7 @@ def print_sizes():
     for file in sorted(folder.iterdir()):
         sizes[file.name] = len(gzip.compress(file.read_bytes(), 9)) / 1000
     core = sizes.pop("core.js") + sizes.pop("core.css")
-    rooms = {room: sizes.pop(f"{room}.js") for room in explorers.ROOMS}
+    rooms = {room: sizes.pop(f"{room}.js") for room in explorers.rooms()}
     print("gzip of what is fetched when a reader needs it:", rooms)
     print(
         f"gzip: the core {core:.1f} kB, and with one paper (of 45 kB):",

@@ -203,7 +203,7 @@ def bundle(chromium, tmp_path_factory):
     papers = explorers.bundle(folder, None)
     page = chromium.new_page()
     core, *others = explorers.scripts(papers)
-    for name in (core, *explorers.ROOMS, *others):
+    for name in (core, *explorers.rooms(), *others):
         page.add_script_tag(path=folder / f"{name}.js")
     yield page
     page.close()

@@ -52,7 +52,7 @@ class Opened:
         self.page = self.context.new_page()
         self.trouble = listen(self.page)
         self.held, self.fails, self.holds, self.asked = [], False, False, []
-        for room in explorers.ROOMS:
+        for room in explorers.rooms():
             self.page.route(f"**/{room}.js*", self.answer)
         self.page.goto(f"{address}/{language}/{paper}.html")
         self.element = self.page.locator("kalman-explorer")
@@ -101,7 +101,18 @@ def test_nobody_fetches_what_nobody_needs(paper, opened):
         for number in range(1, 6):
             one.element.get_by_role("button", name=f"{number} ").first.click()
             shown(one.element)
-    assert one.asked == [] and one.message().is_hidden()
+    wanted = ["workshop_later"] if paper == "workshop" else []  # with the buttons of "5 Save"
+    assert one.asked == wanted and one.message().is_hidden()
+
+
+def test_the_first_tap_copies_the_program(opened):
+    one = opened("workshop")
+    one.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    one.element.get_by_role("button", name="5 Save").click()
+    one.element.get_by_role("button", name="Copy the code").click()
+    one.message().get_by_text("Copied.").wait_for()
+    assert "LinearModel" in one.page.evaluate("navigator.clipboard.readText()")
+    assert one.asked == ["workshop_later"]
 
 
 def test_a_pasted_table_is_read_when_its_reader_is_there(opened):
@@ -235,6 +246,6 @@ def test_what_is_kept_on_the_phone_can_be_replayed_at_the_next_visit(opened):
 def test_another_text_of_a_room_has_another_address(folder):
     core = (folder / "en" / "core.js").read_text()
     other = (folder / "id" / "core.js").read_text()
-    for room in explorers.ROOMS:
+    for room in explorers.rooms():
         addresses = [text.partition(f'"{room}.js?v=')[2][:8] for text in (core, other)]
         assert len(set(addresses)) == 2 and all(len(one) == 8 for one in addresses)

@@ -49,7 +49,7 @@ function calledLater(text, file, room) {
 
 /** For esbuild: a paper takes from the core what is there, and calls the rooms that are fetched later. */
 function fromOthers(sources, rooms) {
-  const places = new Map(rooms.map((room) => [path.join(sources, room), room]));
+  const places = new Map(Object.entries(rooms).map(([room, folder]) => [path.join(sources, folder), room]));
   const core = readFileSync(path.join(sources, "core.js"), "utf8");
   const shared = new Set([...core.matchAll(IN_THE_CORE)].map(([, name]) => path.join(sources, name)));
   return {
@@ -75,12 +75,13 @@ function fromOthers(sources, rooms) {
 }
 
 /** The modules of a room that papers import, or what their readers bring their own data with. */
-async function usedModules(sources, room, papers) {
+async function usedModules(sources, folder_of_room, papers) {
   const found = new Set();
-  const wanted = new RegExp(`"(?:\\.\\./)+${room}/(\\w+)\\.js"`, "g");
+  const wanted = new RegExp(`"(?:\\.\\.?/)+${path.basename(folder_of_room)}/(\\w+)\\.js"`, "g");
   const folders = papers.map((paper) => path.join(sources, "papers", paper));
   for (const folder of [path.join(sources, "own"), ...folders]) {
-    for (const name of await readdir(folder)) {
+    const names = await readdir(folder, { recursive: true });
+    for (const name of names.filter((one) => one.endsWith(".js"))) {
       const text = await readFile(path.join(folder, name), "utf8");
       [...text.matchAll(wanted)].forEach(([, module]) => found.add(module));
     }
@@ -89,8 +90,8 @@ async function usedModules(sources, room, papers) {
 }
 
 /** The module that makes a room known to the papers. */
-function entryOfRoom(room, modules) {
-  const imports = modules.map((name) => `import * as ${name} from "./${room}/${name}.js";`);
+function entryOfRoom(room, folder, modules) {
+  const imports = modules.map((name) => `import * as ${name} from "./${folder}/${name}.js";`);
   return `${imports.join("\n")}\nKalmanExplorers.rooms.${room} = { ${modules.join(", ")} };\n`;
 }
 
@@ -177,10 +178,13 @@ async function forPage({ sources, data, language, papers, rooms }) {
   const core = path.join(sources, "core");
   const files = { "core.css": await bundle({ entryPoints: [`${core}.css`] }, []) };
   const addresses = {};
-  for (const room of rooms) {
-    const contents = entryOfRoom(room, await usedModules(sources, room, Object.keys(papers)));
+  for (const [room, folder] of Object.entries(rooms)) {
+    const [, owner] = folder.split("/"); // of papers/<paper>/later
+    const users = owner ? [owner] : Object.keys(papers);
+    const contents = entryOfRoom(room, folder, await usedModules(sources, folder, users));
     const stdin = { contents, resolveDir: sources, sourcefile: `${room}.js` };
-    const text = await bundle({ stdin }, [fromOthers(sources, []), words]);
+    const others = Object.entries(rooms).filter(([other]) => other !== room);
+    const text = await bundle({ stdin }, [fromOthers(sources, Object.fromEntries(others)), words]);
     files[`${room}.js`] = text;
     addresses[room] = `${room}.js?v=${fingerprint(text)}`;
   }

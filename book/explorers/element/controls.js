@@ -197,7 +197,14 @@ function makeButtons(explorer, control) {
     element.setAttribute("aria-label", name);
     element.prepend(make("span", { className: "explorer-name", textContent: name }));
   }
-  const show = () => control.items.forEach((item, i) => showButton(explorer, item, buttons[i]));
+  let isPrepared = !control.prepare;
+  const show = () => {
+    if (!isPrepared) {
+      isPrepared = true;
+      whenThere(control.prepare).catch(() => {}); // who presses a button is told why it fails
+    }
+    control.items.forEach((item, i) => showButton(explorer, item, buttons[i]));
+  };
   return { element, show };
 }
 

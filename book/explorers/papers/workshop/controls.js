@@ -5,7 +5,7 @@ import { columnNames, isOwn, isTimed } from "./table.js";
 import { patternFor, startingNoise, usesSecond } from "./data.js";
 import { START_F, START_H, readMatrices } from "./matrices.js";
 import { PATTERN, SECOND } from "./model.js";
-import { takeAway, takeWorkbook } from "./take.js";
+import { readyToTake, takeAway, takeWorkbook } from "./take.js";
 import { CONTROLS, GROUPS, PATTERNS, SECONDS } from "./words.js";
 
 const GROUP_NAMES = ["data", "motion", "noise", "check", "take"];
@@ -223,7 +223,7 @@ const checkControls = [
 ];
 
 const takeControls = [
-  { kind: "buttons", items: takeAway, visible: inGroup("take") },
+  { kind: "buttons", items: takeAway, prepare: readyToTake, visible: inGroup("take") },
   {
     kind: "buttons",
     items: [takeWorkbook],

@@ -116,15 +116,24 @@ function brought(s, rows_of_H) {
     }
   }
   const times = t === null ? evenTimes(s, first.length) : unevenTimes(t);
-  return { ...times, z, m, u: isInput ? withoutGaps(other) : null, truth: null, note };
+  const { u, held } = isInput ? heldInput(other) : { u: null, held: null };
+  return { ...times, z, m, u, truth: null, note, held };
 }
 
-function withoutGaps(u) {
-  const row = u.findIndex(Number.isNaN) + 1;
-  if (row > 0) {
-    throw new InputError(inBoth(WRONG.gap_in_input, { row: String(row) }));
+/** A known input that was not written down is taken not to have changed: {u, held: a note on it or null}. */
+function heldInput(input) {
+  const start = input.findIndex((value) => !Number.isNaN(value));
+  if (start < 0) {
+    throw new InputError(WRONG.empty_input);
   }
-  return u;
+  const u = Float64Array.from(input);
+  let last = u[start];
+  for (let k = 0; k < u.length; k++) {
+    last = Number.isNaN(u[k]) ? last : u[k];
+    u[k] = last;
+  }
+  const gaps = input.filter(Number.isNaN).length;
+  return { u, held: gaps > 0 ? inBoth(NOTES.held, { gaps: String(gaps) }) : null };
 }
 
 /** {t, dt: null}: all steps are s.dt. */

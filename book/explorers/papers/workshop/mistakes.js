@@ -5,9 +5,9 @@ export const WRONG = {
     id: "Tabel ini tidak punya kolom kedua: pilihlah “tidak dipakai” di bawah “2 Gerak”.",
     en: "This table has no second column: choose “not used” below “2 Motion”.",
   },
-  gap_in_input: {
-    id: "Masukan yang diketahui tidak boleh kosong, tetapi baris data ke-{row} kosong.",
-    en: "A known input may have no gap, but row {row} of the data is empty.",
+  empty_input: {
+    id: "Kolom masukan yang diketahui kosong: pilihlah kolom lain.",
+    en: "The column of the known input is empty: choose another one.",
   },
   short: {
     id: "Filter memerlukan sedikitnya sepuluh baris data.",

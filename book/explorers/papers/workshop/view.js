@@ -65,6 +65,9 @@ function outcome(r, s, t) {
   if (r.found && r.found.rows < r.T && s.likely) {
     sentences.push(t.say(OUTCOME.cut, { rows: String(r.found.rows) }));
   }
+  if (r.data.held) {
+    sentences.push(t.say(r.data.held));
+  }
   if (r.data.truth || s.group === "data") {
     sentences.push(t.say(r.data.note)); // made-up data is always called so
   }

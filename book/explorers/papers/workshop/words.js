@@ -43,6 +43,10 @@ export const NOTES = {
     id: "Yang disaring: {value} dan {other}; waktunya: {time}{unit}.",
     en: "Filtered are {value} and {other}; their times are {time}{unit}.",
   },
+  held: {
+    id: "Masukan yang kosong ({gaps} baris) dianggap tidak berubah.",
+    en: "Where the input is missing ({gaps} rows), it is taken not to have changed.",
+  },
   recorded: {
     id: "Data dari sensor perangkat ini: percepatan (acc) dalam m/s², laju putar (gyr) dalam °/s.",
     en: "Data of this device's sensors: acceleration (acc) in m/s², rate of turn (gyr) in °/s.",

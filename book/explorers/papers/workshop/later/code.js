@@ -1,10 +1,13 @@
 // The filter that was built as a program: with kalman_lib, or with filterpy. Both read the CSV of the page.
-import { gateLimit } from "./filter.js";
-import { GATE } from "./estimate.js";
-import { PATTERN, SECOND, continuous, hasBias, modelOf } from "./model.js";
-import { CODE } from "./words.js";
+import { gateLimit } from "../filter.js";
+import { GATE } from "../estimate.js";
+import { PATTERN, SECOND, continuous, hasBias, modelOf } from "../model.js";
+import { CODE } from "../words.js";
 
 export const CSV_NAME = "workshop.csv";
+
+/** Does nothing; who calls it has this file at hand. */
+export function ready() {}
 
 // --- what both programs say --------------------------------------------------------------------------------
 

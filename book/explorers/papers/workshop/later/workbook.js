@@ -1,9 +1,9 @@
 // A scalar filter of the workshop as an .xlsx with live formulas, one row a step.
-import { COLUMN, DATA, GAIN, INPUT, LABEL, PLAIN, POWER, RESULT, TITLE, VALUE } from "../../files/xlsx.js";
-import { formula, number, text, workbook } from "../../files/xlsx.js";
-import { gateLimit } from "./filter.js";
-import { GATE } from "./estimate.js";
-import { PATTERN, modelOf } from "./model.js";
+import { COLUMN, DATA, GAIN, INPUT, LABEL, PLAIN, POWER, RESULT, TITLE, VALUE } from "../../../files/xlsx.js";
+import { formula, number, text, workbook } from "../../../files/xlsx.js";
+import { gateLimit } from "../filter.js";
+import { GATE } from "../estimate.js";
+import { PATTERN, modelOf } from "../model.js";
 
 const FIRST = 7; // the first row of the table
 const HEIGHTS = { 3: 50, 6: 50 }; // points
