@@ -23,10 +23,7 @@ const WORK_A_FRAME = 8; // ms of it in every frame after that
 let count = 0;
 
 export class Explorer {
-  /**
-   * table: the fields of the paper's Params; key: the name of this explorer in the address; host: what stands
-   * around it (host.js).
-   */
+  /** table: the fields of the paper's Params; key: its name in the address; host: see host.js. */
   constructor(element, key, table, view, host = page()) {
     this.element = element;
     this.key = key;
@@ -42,6 +39,7 @@ export class Explorer {
     this.touched = false; // has the reader changed anything?
     this.dragging = false;
     this.playing = null; // the control that moves by itself
+    this.coming = null; // a promise of what had to be fetched first
     this.worded = 0; // when the words were last written
     this.ended = false; // has it left the page?
     this.build();

@@ -34,7 +34,7 @@ export function tellWhy(explorer, error) {
       explorer.schedule();
     }
   };
-  error.fetch().then(goOn, (failure) => tell(explorer, failure));
+  explorer.coming = error.fetch().then(goOn, (failure) => tell(explorer, failure));
 }
 
 /** The message goes as soon as what is typed is right. */
