@@ -9,7 +9,7 @@ import { OWN } from "./words.js";
 
 const LARGEST_FILE = 80000000; // bytes
 const LONGEST_QUOTE = 40; // letters
-const ACCEPTED = ".csv,.txt,.tsv,.dat,.xlsx";
+const ACCEPTED = ".csv,.txt,.tsv,.dat,.xlsx,.zip";
 
 /** Where these controls begin; what was chosen of one table is not asked of the next. */
 const AS_FOUND = { sheet: "", missing: "auto", time: "", value: "" };

@@ -7,7 +7,10 @@ export const OWN = {
       "Data tidak meninggalkan perangkat ini.",
     en: "Data of my own: paste columns from a spreadsheet, or a list. Nothing leaves this device.",
   },
-  file: { id: "atau pilih berkas CSV atau Excel (.xlsx)", en: "or choose a CSV or Excel (.xlsx) file" },
+  file: {
+    id: "atau pilih berkas CSV, Excel (.xlsx), atau .zip dari aplikasi ponsel",
+    en: "or choose a CSV or Excel (.xlsx) file, or the .zip of a phone app",
+  },
   sheet: { id: "Lembar", en: "Sheet" },
   longest: { id: "yang tabelnya terpanjang", en: "the one with the longest table" },
   sign: { id: "Tanda desimal", en: "Decimal sign" },
