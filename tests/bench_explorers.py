@@ -20,6 +20,7 @@ from playwright.sync_api import sync_playwright
 
 ROOT = Path(__file__).resolve().parent.parent
 SITE = ROOT / "_build" / "site"
+sys.path.insert(0, str(ROOT / "book" / "_ext"))
 
 # One new value per frame, as a finger gives it; the slider goes to and fro around its place.
 DRAG = """async ([index, count]) => {
@@ -90,6 +91,8 @@ def main():
 
 
 def print_sizes():
+    import explorers
+
     # as they were made: the site joins their style sheet with the others
     made = ROOT / "_build" / "work" / "en" / "_build" / "html"
     folder = made / "_static" / "vendor" / "explorers"
@@ -97,8 +100,8 @@ def print_sizes():
     for file in sorted(folder.iterdir()):
         sizes[file.name] = len(gzip.compress(file.read_bytes(), 9)) / 1000
     core = sizes.pop("core.js") + sizes.pop("core.css")
-    rooms = {room: sizes.pop(f"{room}.js") for room in ("files", "sensors")}
-    print("gzip of what only some papers use:", rooms)
+    rooms = {room: sizes.pop(f"{room}.js") for room in explorers.rooms()}
+    print("gzip of what is fetched when a reader needs it:", rooms)
     print(
         f"gzip: the core {core:.1f} kB, and with one paper (of 45 kB):",
         ", ".join(f"{name.removesuffix('.js')} {core + size:.1f}" for name, size in sizes.items()),

@@ -206,7 +206,8 @@ def bundle(chromium, tmp_path_factory):
     folder = tmp_path_factory.mktemp("explorers")
     papers = explorers.bundle(folder, None)
     page = chromium.new_page()
-    for name in explorers.scripts(papers):
+    core, *others = explorers.scripts(papers)
+    for name in (core, *explorers.rooms(), *others):
         page.add_script_tag(path=folder / f"{name}.js")
     yield page
     page.close()

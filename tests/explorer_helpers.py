@@ -85,9 +85,14 @@ PICTURE = """
     e.querySelector('.explorer-outcome').textContent,
     e.querySelector('.explorer-equations').textContent,
   ].join('');
+  const frames = () => new Promise(done => requestAnimationFrame(() =>
+    requestAnimationFrame(() => setTimeout(done, 5))));
   const drawn = async () => {
-    await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() =>
-      setTimeout(done, 5))));
+    await frames();
+    if (e.explorer.coming) { // what reads files or sensors is fetched when it is first needed
+      await e.explorer.coming;
+      await frames();
+    }
     e.explorer.words(true);                     // they follow only some times a second
     await e.explorer.painted();
   };"""

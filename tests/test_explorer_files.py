@@ -8,6 +8,7 @@ from explorer_helpers import javascript
 from table_cases import READ, options_of
 from table_refused import HUGE, REFUSED
 from test_table import HOSTILE, archive, sheet_of
+from test_table_archives import LIGHT, PRESSURE, phone_app
 from workbook_helpers import xlsx
 
 from kalman_lib.data import InputError, read_table
@@ -211,6 +212,17 @@ def test_workbooks_are_read_as_in_python(bundle):
         assert from_file(bundle, book, options) == in_python(book, options)
     for rows in ([["z"], [1], ["=1+1"]], [["z"], [1], [True]], [["a"]], [], [["z"], [1], ["#N/A"]]):
         assert from_file(bundle, xlsx(rows)) == in_python(xlsx(rows), {})
+
+
+def test_the_archive_of_a_phone_app_is_read_as_in_python(bundle, tmp_path):
+    content = phone_app(Pressure=PRESSURE, Light=LIGHT, Empty="")
+    for options in ({}, {"sheet": "Light.csv"}, {"sheet": "Light.csv", "decimal": ","}):
+        assert from_file(bundle, content, options) == in_python(content, options)
+    huge = "1\n" * 4_100_000
+    for parts in ({}, {"Words": "a\nb\n"}, {"a": huge}, {"a": "1" * 17_000_000}):
+        (tmp_path / "a.csv").write_bytes(phone_app(**parts))
+        answer = from_file(bundle, phone_app(**parts))
+        assert answer == in_python(tmp_path / "a.csv", {}) and "error" in answer
 
 
 def test_what_is_no_table_is_refused_as_in_python(bundle, tmp_path):

@@ -37,10 +37,10 @@ def test_a_row_of_which_one_sensor_is_silent(bundle):
     z[rng.random(z.shape) < 0.4] = np.nan
     theirs = bundle.evaluate(
         """([F, H, Q, R, x0, P0, z]) => {
-  const { filters, models, smoother } = KalmanExplorers;
+  const { filters, models, papers } = KalmanExplorers;
   const model = models.linearModel({ F, H, Q, R, x0, P0 });
   const numbers = Float64Array.from(z, value => value === null ? NaN : value);
-  const result = filters.kalmanFilter(model, numbers), smooth = smoother.rtsSmooth(result);
+  const result = filters.kalmanFilter(model, numbers), smooth = papers.ship.rtsSmooth(result);
   return [result.x, result.P, result.K, smooth.x, smooth.P].map(values => Array.from(values));
 }""",
         [listed(getattr(model, name)) for name in ("F", "H", "Q", "R", "x0", "P0")] + [listed(z)],

@@ -27,13 +27,13 @@ OWN_MOTION = {
 }  # simulate is a flight, not the model's own noise: see test_explorer_quadrotor.py
 
 RUN = """text => {
-  const { papers, smoother, metrics } = KalmanExplorers;
+  const { papers, metrics } = KalmanExplorers;
   const numbers = list => list && Float64Array.from(list, value => value === null ? NaN : value);
   return JSON.stringify(JSON.parse(text).map(({ paper, p, z, u, x }) => {
     const { model, run, twins = {} } = papers[paper];
     const data = { z: numbers(z), u: numbers(u), x: numbers(x) }, { n, m } = model(p);
     data.T = data.z.length / m;
-    const result = run(p, data), smooth = smoother.rtsSmooth(result), out = {};
+    const result = run(p, data), smooth = papers.ship.rtsSmooth(result), out = {};
     for (const name of ["x_pred", "P_pred", "x", "P", "y", "S",
       "K"]) out[name] = Array.from(result[name]);
     Object.assign(out, { x_smooth: Array.from(smooth.x), P_smooth: Array.from(smooth.P),
@@ -238,7 +238,8 @@ def test_one_wrong_sign_is_found(name, tmp_path, chromium):
     file.write_text(with_a_wrong_sign(file), encoding="utf-8")
     explorers_to_bundle.bundle(tmp_path, "en", sources)
     page = chromium.new_page()
-    for script in explorers_to_bundle.scripts([name]):
+    with_smoother = dict.fromkeys([name, "ship"])  # which has it for all
+    for script in explorers_to_bundle.scripts(with_smoother):
         page.add_script_tag(path=tmp_path / f"{script}.js")
     assert next(differences(name, page), None) is not None
     page.close()

@@ -74,6 +74,43 @@ def test_the_page_agrees_with_the_module_on_uneven_steps_and_own_matrices(bundle
     np.testing.assert_allclose(page["x"], kalman_filter(model, z).x, rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.parametrize("gaps", [[3, 4, 20], [0, 1], [58, 59]])
+def test_a_gap_in_a_known_input_is_no_change_and_is_told(gaps, bundle, tmp_path, monkeypatch):
+    """The page, Python with the input that it was before, and both programs."""
+    p = Params(pattern=3, second=5, q=0.01)
+    data = own_data(p, uneven=True)
+    whole = data["w"].copy()
+    data["w"][gaps] = np.nan
+    for k in sorted(gaps, reverse=gaps[0] == 0):
+        whole[k] = whole[k + 1] if gaps[0] == 0 else whole[k - 1]
+    page = shown(bundle, pattern=3, second=5, q=0.01, **pasted(data))
+    assert f"missing ({len(gaps)} rows)" in page["verdict"]
+    dt = np.diff(data["t"])
+    dt = np.append(np.median(dt), dt)
+    spread = np.ptp(data["z"])
+    start = Params(pattern=3, second=5, q=0.01, x0=float(data["z"][0]), P0=float(spread**2))
+    result = kalman_filter(workshop.model(start, dt), data["z"], whole)
+    size = np.abs(result.x).max(axis=0)
+    close(page["x"], result.x, size)
+    close(page["x"], run(page["kalman"], page["csv"], tmp_path, monkeypatch)["result"].x, size)
+    close(page["x"], np.array(run(page["filterpy"], page["csv"], tmp_path, monkeypatch)["x"]), size)
+
+
+def test_a_known_input_that_is_empty_is_refused(bundle):
+    """Its only value has no time."""
+    rows = "\n".join(f"{k};{k % 3};" for k in range(20))
+    with pytest.raises(Exception, match="The column of the known input is empty"):
+        shown(
+            bundle,
+            pattern=3,
+            second=5,
+            text=f"t;z;w\n{rows}\n;1;5",
+            time="t",
+            value="z",
+            value2="w",
+        )
+
+
 def test_the_csv_holds_what_went_in_and_what_came_out(bundle, tmp_path):
     p = Params(pattern=2, second=5, q=1)
     data = own_data(p, uneven=True, gaps=True)

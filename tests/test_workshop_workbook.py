@@ -15,8 +15,10 @@ CASES = {
     "constant": (dict(pattern=1), {}),
     "uneven": (dict(pattern=2, q=1), dict(uneven=True, gaps=True)),
     "input": (dict(pattern=2, second=5, q=1), dict(gaps=True)),
+    "start": (dict(pattern=2, q=1), dict(gaps=True)),
     "gate": (dict(pattern=2, q=1), dict(outliers=True, gaps=True)),
 }
+MORE = {"gate": dict(gate=True), "start": dict(first_x="20", first_P="0,5")}
 WRITTEN = SHOWN.replace(
     "const plain =",
     "return btoa(String.fromCharCode(..._.writeWorkbook(r))); const plain =",
@@ -31,7 +33,7 @@ def workbooks(bundle, tmp_path_factory):
     (folder / "out").mkdir()
     pages = {}
     for name, (about, way) in CASES.items():
-        state = about | pasted(own_data(workshop.Params(**about), **way)) | {"gate": name == "gate"}
+        state = about | pasted(own_data(workshop.Params(**about), **way)) | MORE.get(name, {})
         pages[name] = shown(bundle, **state)
         path = folder / f"{name}.xlsx"
         path.write_bytes(base64.b64decode(bundle.evaluate(WRITTEN, state)))
@@ -66,3 +68,5 @@ def test_the_formulas_are_live(workbooks):
     sheet = load_workbook(workbooks["uneven"][1])["Filter"]
     assert sheet["G8"].value == "=L7+q_*C8" and sheet["I8"].value == "=G8+R_"
     assert sheet["C4"].value == 9
+    sheet = load_workbook(workbooks["start"][1])["Filter"]
+    assert (sheet["D4"].value, sheet["E4"].value) == (20, 0.5)

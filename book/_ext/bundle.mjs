@@ -7,16 +7,18 @@
 // host "page":
 // A browser refuses ES modules from file://, so every bundle is one classic script. The core (core.js) holds
 // the rooms that all papers use; the bundle of a paper takes them from there, so that a page loads them once.
-// What only some papers use (`rooms`) is one script a room, which stands between the core and the paper.
+// What only some readers need (`rooms`) is one script a room: a paper calls it through the core, which
+// fetches it then (element/rooms.js).
 // The words of the other language are left out. What is wrong with the sources is told in one sentence on
 // stderr.
+import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { readFile, readdir } from "node:fs/promises";
 import path from "node:path";
 import { build } from "esbuild";
-import { Mistake, exportsOf, nameOf, treeOf, viewsOf, wordsOf } from "./modules.mjs";
+import { Mistake, constantsOf, exportsOf, nameOf, treeOf, viewsOf, wordsOf } from "./modules.mjs";
 
-const SHARED = ["numerics", "language"]; // rooms of the core that papers use
+const IN_THE_CORE = /"\.\/((?:numerics|language)\/\w+\.js)"/g; // modules that papers take from there
 
 // --- bundling ----------------------------------------------------------------------------------------------
 
@@ -32,35 +34,54 @@ function oneLanguage(language) {
   };
 }
 
-/** For esbuild: a paper takes the shared rooms from the core, and some from the scripts of their own. */
+/** Functions of a room that is fetched when one of them is called, and its plain constants. */
+function calledLater(text, file, room) {
+  const tree = treeOf(text, file);
+  const constants = constantsOf(tree, text);
+  const calls = exportsOf(tree)
+    .filter((name) => !constants.has(name))
+    .map((name) => {
+      const call = `KalmanExplorers.roomOf("${room}").${path.basename(file, ".js")}.${name}`;
+      return `export const ${name} = (...given) => ${call}(...given);`;
+    });
+  return [...constants.values(), ...calls].join("\n");
+}
+
+/** For esbuild: a paper takes from the core what is there, and calls the rooms that are fetched later. */
 function fromOthers(sources, rooms) {
-  const places = new Map(SHARED.map((room) => [path.join(sources, room), ""]));
-  for (const room of rooms) {
-    places.set(path.join(sources, room), `rooms.${room}.`);
-  }
+  const places = new Map(Object.entries(rooms).map(([room, folder]) => [path.join(sources, folder), room]));
+  const core = readFileSync(path.join(sources, "core.js"), "utf8");
+  const shared = new Set([...core.matchAll(IN_THE_CORE)].map(([, name]) => path.join(sources, name)));
   return {
     name: "from-others",
     setup(steps) {
       steps.onResolve({ filter: /\.js$/ }, ({ path: name, resolveDir }) => {
         const file = path.resolve(resolveDir, name);
-        return places.has(path.dirname(file)) ? { path: file, namespace: "others" } : undefined;
+        const isOther = shared.has(file) || places.has(path.dirname(file));
+        return isOther ? { path: file, namespace: "others" } : undefined;
       });
       steps.onLoad({ filter: /.*/, namespace: "others" }, async ({ path: file }) => {
-        const names = exportsOf(treeOf(await readFile(file, "utf8"), file));
-        const place = places.get(path.dirname(file)) + path.basename(file, ".js");
+        const text = await readFile(file, "utf8");
+        const room = places.get(path.dirname(file));
+        if (room) {
+          return { contents: calledLater(text, file, room) };
+        }
+        const names = exportsOf(treeOf(text, file));
+        const place = path.basename(file, ".js");
         return { contents: `export const { ${names.join(", ")} } = KalmanExplorers.${place};` };
       });
     },
   };
 }
 
-/** The modules of a room that papers import. */
-async function usedModules(sources, room, papers) {
+/** The modules of a room that papers import, or what their readers bring their own data with. */
+async function usedModules(sources, folder_of_room, papers) {
   const found = new Set();
-  const wanted = new RegExp(`"\\.\\./\\.\\./${room}/(\\w+)\\.js"`, "g");
-  for (const paper of papers) {
-    const folder = path.join(sources, "papers", paper);
-    for (const name of await readdir(folder)) {
+  const wanted = new RegExp(`"(?:\\.\\.?/)+${path.basename(folder_of_room)}/(\\w+)\\.js"`, "g");
+  const folders = papers.map((paper) => path.join(sources, "papers", paper));
+  for (const folder of [path.join(sources, "own"), ...folders]) {
+    const names = await readdir(folder, { recursive: true });
+    for (const name of names.filter((one) => one.endsWith(".js"))) {
       const text = await readFile(path.join(folder, name), "utf8");
       [...text.matchAll(wanted)].forEach(([, module]) => found.add(module));
     }
@@ -69,8 +90,8 @@ async function usedModules(sources, room, papers) {
 }
 
 /** The module that makes a room known to the papers. */
-function entryOfRoom(room, modules) {
-  const imports = modules.map((name) => `import * as ${name} from "./${room}/${name}.js";`);
+function entryOfRoom(room, folder, modules) {
+  const imports = modules.map((name) => `import * as ${name} from "./${folder}/${name}.js";`);
   return `${imports.join("\n")}\nKalmanExplorers.rooms.${room} = { ${modules.join(", ")} };\n`;
 }
 
@@ -115,7 +136,7 @@ async function startsAndNamesOf(papers, options) {
   const contents = `${collected(papers)}
     import { completeControls, defaultsOf, isData } from "./element/settings.js";
     const startOf = (view, table) => {
-      const controls = completeControls(view, table, true);
+      const controls = completeControls(view, table);
       const files = controls.filter(isData).map(({ name }) => name);
       const starts = Object.entries(defaultsOf(view, controls, table));
       return Object.fromEntries(starts.filter(([name]) => !files.includes(name)));
@@ -151,19 +172,30 @@ async function forCell({ sources, data, papers }) {
   return { files, views };
 }
 
+/** Another text has another address, so that no browser takes an older one for it. */
+function fingerprint(text) {
+  return createHash("sha256").update(text).digest("hex").slice(0, 8);
+}
+
 /** What a page of the book loads. */
 async function forPage({ sources, data, language, papers, rooms }) {
   const words = oneLanguage(language);
   const core = path.join(sources, "core");
-  const files = {
-    "core.js": await bundle({ entryPoints: [`${core}.js`], globalName: "KalmanExplorers" }, [words]),
-    "core.css": await bundle({ entryPoints: [`${core}.css`] }, []),
-  };
-  for (const room of rooms) {
-    const contents = entryOfRoom(room, await usedModules(sources, room, Object.keys(papers)));
+  const files = { "core.css": await bundle({ entryPoints: [`${core}.css`] }, []) };
+  const addresses = {};
+  for (const [room, folder] of Object.entries(rooms)) {
+    const [, owner] = folder.split("/"); // of papers/<paper>/later
+    const users = owner ? [owner] : Object.keys(papers);
+    const contents = entryOfRoom(room, folder, await usedModules(sources, folder, users));
     const stdin = { contents, resolveDir: sources, sourcefile: `${room}.js` };
-    files[`${room}.js`] = await bundle({ stdin }, [fromOthers(sources, []), words]);
+    const others = Object.entries(rooms).filter(([other]) => other !== room);
+    const text = await bundle({ stdin }, [fromOthers(sources, Object.fromEntries(others)), words]);
+    files[`${room}.js`] = text;
+    addresses[room] = `${room}.js?v=${fingerprint(text)}`;
   }
+  const footer = { js: `KalmanExplorers.knowRooms(${JSON.stringify(addresses)});` };
+  const options = { entryPoints: [`${core}.js`], globalName: "KalmanExplorers", footer };
+  files["core.js"] = await bundle(options, [words]);
   const views = {};
   for (const [paper, table] of Object.entries(papers)) {
     views[paper] = await viewsOf(sources, paper);

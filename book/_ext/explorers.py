@@ -1,11 +1,12 @@
 """The live explorers: a core and one script per paper, made from book/explorers and loaded where
 they are needed.
 
-A page loads core.js and core.css once, files.js or sensors.js where a paper uses that room, and the
-script of each paper it shows: classic scripts,
-because a browser refuses ES modules from file://. Every folder in book/explorers/papers belongs to
-the paper of the same name, and its ranges and words come from the Params of that paper. bundle.mjs
-does the bundling and leaves out the words of the other language.
+A page loads core.js and core.css once, and the script of each paper it shows: classic scripts,
+because a browser refuses ES modules from file://. What only some readers need (files.js,
+sensors.js, and the folder "later" of a paper) is fetched when a reader first needs it. Every folder
+in book/explorers/papers belongs to the paper of the same name, and its ranges and words come from
+the Params of that paper. bundle.mjs does the bundling and leaves out the words of the other
+language.
 
 The same explorers are the widgets of the notebooks: one ES module with all papers in both
 languages, which belongs to the package (kalman_lib/live/bundle, made, not stored in Git).
@@ -29,7 +30,8 @@ import offline
 SOURCES = offline.BOOK / "explorers"
 DATA = offline.BOOK.parent / "notebooks" / "data"
 FOLDER = "vendor/explorers"
-ROOMS = ("files", "sensors")  # what only some papers use: a script each
+ROOMS = ("files", "sensors")  # what only some readers need: a script each, fetched then
+LATER = "later"  # the folder of a paper with what only some of its readers need: a script, too
 FOR_NOTEBOOKS = offline.BOOK.parent / "kalman_lib" / "live" / "bundle"
 ELEMENT = re.compile(r"<kalman-explorer\b([^>]*)>")
 
@@ -50,6 +52,14 @@ def paper_names(sources):
                 f"kalman_lib/papers/{folder.name}.py is missing."
             )
     return [folder.name for folder in folders]
+
+
+def rooms(sources=SOURCES):
+    """{name of a script that is fetched when a reader needs it: its folder in the sources}"""
+    found = {room: room for room in ROOMS}
+    for path in sorted(sources.glob(f"papers/*/{LATER}")):
+        found[f"{path.parent.name}_{LATER}"] = path.relative_to(sources).as_posix()
+    return found
 
 
 def table(name, language):
@@ -77,7 +87,7 @@ def bundle(target, language, sources=SOURCES, host="page"):
         "data": str(DATA),
         "language": language,
         "papers": papers,
-        "rooms": ROOMS,
+        "rooms": rooms(sources),
     }
     program = Path(__file__).with_name("bundle.mjs")
     made = subprocess.run(
@@ -94,16 +104,9 @@ def bundle(target, language, sources=SOURCES, host="page"):
     return answer["views"]
 
 
-def scripts(papers, sources=SOURCES):
-    """The scripts that a page with these papers loads, in their order: the core, the rooms that one
-    of them uses, the papers."""
-    texts = [
-        path.read_text(encoding="utf-8")
-        for paper in papers
-        for path in (sources / "papers" / paper).glob("*.js")
-    ]
-    used = [room for room in ROOMS if any(f'"../../{room}/' in text for text in texts)]
-    return ["core", *used, *papers]
+def scripts(papers):
+    """The scripts that a page with these papers loads, in their order."""
+    return ["core", *papers]
 
 
 def for_notebooks(target=FOR_NOTEBOOKS):

@@ -6,7 +6,7 @@ import { parse } from "acorn";
 
 const OTHER = { id: "en", en: "id" };
 // Where {id, en} are words
-const WORDY = /[\\/](papers|language|files|grading|exercise)[\\/]|[\\/](element|sensors)[\\/]words\.js$/;
+const WORDY = /[\\/](papers|language|files|grading|exercise)[\\/]|[\\/](element|sensors|own)[\\/]words\.js$/;
 
 export class Mistake extends Error {}
 
@@ -108,6 +108,30 @@ export function exportsOf(tree) {
   return found.flatMap(({ declaration: { id, declarations } }) => {
     return id ? [id.name] : declarations.map((declared) => declared.id.name);
   });
+}
+
+/** {name: its declaration} of the constants that are exported and need nothing else: they can be copied. */
+export function constantsOf(tree, text) {
+  const found = new Map();
+  for (const { type, declaration } of tree.body) {
+    const declared = type === "ExportNamedDeclaration" && declaration?.declarations?.[0];
+    if (declared && isPlain(declared.init)) {
+      found.set(declared.id.name, `export const ${text.slice(declared.start, declared.end)};`);
+    }
+  }
+  return found;
+}
+
+const PLAIN = ["Literal", "ObjectExpression", "ArrayExpression", "Property", "BinaryExpression"];
+
+/** Made of literals alone? The names of an object's properties are none of its values. */
+function isPlain(node) {
+  if (node.type === "Property") {
+    return !node.computed && isPlain(node.value);
+  }
+  const parts = Object.values(node).flat();
+  const children = parts.filter((child) => typeof child?.type === "string");
+  return PLAIN.includes(node.type) && children.every(isPlain);
 }
 
 /** The names of the views of a paper: the keys of `export const views = {...}` in its index.js. */

@@ -8,7 +8,7 @@ the notes of the result.
     table.py        read_table, Table; served by these, in this order:
     sources.py      a path, bytes or a text -> what kind of file it is
     limits.py       how much is read
-    sheets.py       an Excel workbook -> its grids of cells; its XML: openxml.py
+    sheets.py       an Excel workbook, an archive of texts -> grids of cells; XML: openxml.py
     lists.py        a list as programs write it -> its cells
     grid.py         a text -> its cells; which way of parting it is right: readings.py
     block.py        where in a grid the table is, with its header

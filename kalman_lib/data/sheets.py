@@ -1,5 +1,8 @@
-"""The bytes of an Excel workbook in, grids out: an archive of XML, whose size is checked before and
-while it is read. (openpyxl fills every row and cell up to the last one, however far away it is.)"""
+"""The bytes of an Excel workbook, or of an archive of texts, in, grids out.
+
+A workbook is an archive of XML, whose size is checked before and while it is read. (openpyxl fills
+every row and cell up to the last one, however far away it is.)
+"""
 
 import io
 import posixpath
@@ -12,9 +15,13 @@ from xml.parsers.expat import ExpatError
 from . import openxml
 from .cells import is_number, quoted
 from .errors import InputError
+from .grid import decode, split
+from .limits import MAX_BYTES, too_large
 
 MAX_PART = 50_000_000  # bytes of one part of the archive
 MAX_PARTS = 10_000
+TEXTS = (".csv", ".txt", ".tsv")
+NOT_DATA = {"meta", "__macosx"}  # folders that phyphox and macOS add
 DAMAGED = (
     zipfile.BadZipFile,
     zlib.error,
@@ -56,7 +63,8 @@ def _grids(name, archive, skip):
         raise _too_large(name)
     book = next((path for path in paths if path.endswith("xl/workbook.xml")), None)
     if book is None:
-        raise _no_workbook(name)
+        yield from _texts(name, archive, paths)
+        return
     folder = posixpath.dirname(book)
 
     def part(path):
@@ -75,6 +83,27 @@ def _grids(name, archive, skip):
         grid = openxml.grid_in(part(path), title, strings, formats, starts_1904)
         if any(is_number(cell) for _, cells in grid for cell in cells):
             yield title, grid
+
+
+def _texts(name, archive, paths):
+    """The same of an archive of texts, as phone apps export: each is a sheet of its own."""
+    texts = [path for path in paths if _is_text(path.lower())]
+    if not texts:
+        raise _no_workbook(name)
+    size = 0
+    for path in texts:
+        content = _part(name, archive, path)
+        size += len(content)
+        if size > MAX_BYTES:
+            raise too_large(size)
+        text = decode(content)
+        grid = split(text.removeprefix("\ufeff"), None)[0] if text else []
+        if any(is_number(cell) for _, cells in grid for cell in cells):
+            yield path, grid
+
+
+def _is_text(path):
+    return path.endswith(TEXTS) and not NOT_DATA & set(path.split("/")[:-1])
 
 
 def _part(name, archive, path):

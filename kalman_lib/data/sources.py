@@ -7,7 +7,7 @@ from .grid import decode
 from .limits import MAX_BYTES, too_large
 from .sheets import grids
 
-ENDINGS = (".csv", ".txt", ".tsv", ".dat", ".xlsx", ".xls", ".ods")
+ENDINGS = (".csv", ".txt", ".tsv", ".dat", ".xlsx", ".xls", ".ods", ".zip")
 LONGEST_PATH = 1000
 ARCHIVE, COMPOUND = b"PK\x03\x04", b"\xd0\xcf\x11\xe0"
 ENCRYPTED = "EncryptedPackage".encode("utf-16-le")

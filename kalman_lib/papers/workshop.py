@@ -72,32 +72,33 @@ class Params:
     # fmt: on
 
 
-def model(p, dt=None, F=OWN_F, H=OWN_H):
+def model(p, dt=None, F=OWN_F, H=OWN_H, x0=None, P0=None):
     """The filter that was built.
 
     State: the quantity and its rates, as many as the pattern has, then the bias if there is one.
     dt (T,) s: the steps before each measurement, where they are uneven; F and H are those of the
-    pattern OWN, whose F belongs to a step, whatever it takes.
+    pattern OWN, whose F belongs to a step, whatever it takes. x0 (n,) and P0, variances (n,) or a
+    matrix (n, n): where the filter starts, if p does not say it.
     """
     check(p)
     if p.pattern == OWN:
         F, H = np.atleast_2d(F), np.atleast_2d(H)
-        n, m = len(F), len(H)
-        R = np.diag([p.R, p.R2][:m])
-        return LinearModel(F=F, H=H, Q=p.q * np.eye(n), R=R, x0=_first(p, n), P0=p.P0 * np.eye(n))
-    A, Bc, Qc = continuous(p)
-    dt = p.dt if dt is None else np.asarray(dt, dtype=float)
-    F, Q, B = discretise(A, Qc, dt, Bc)
-    H = sensors(p)
-    P0 = p.P0 / np.median(dt) ** (2 * rates(p))
+        Q, B, P0_found = p.q * np.eye(len(F)), None, np.full(len(F), p.P0)
+    else:
+        A, Bc, Qc = continuous(p)
+        dt = p.dt if dt is None else np.asarray(dt, dtype=float)
+        F, Q, B = discretise(A, Qc, dt, Bc)
+        H = sensors(p)
+        P0_found = p.P0 / np.median(dt) ** (2 * rates(p))
+    P0 = np.asarray(P0_found if P0 is None else P0, dtype=float)
     return LinearModel(
         F=F,
         B=B if p.second == DRIVES else None,
         H=H,
         Q=Q,
         R=np.diag([p.R, p.R2][: len(H)]),
-        x0=_first(p, len(A)),
-        P0=np.diag(P0),
+        x0=_first(p, H.shape[1]) if x0 is None else x0,
+        P0=np.diag(P0) if P0.ndim == 1 else P0,
     )
 
 

@@ -2,6 +2,7 @@
 // element up to date with the state. What a paper writes for each kind stands in papers/README.md.
 import { make, setAttribute, setText } from "../drawing/make.js";
 import { InputError } from "../language/input.js";
+import { whenThere } from "../language/later.js";
 import { calm, glide, play } from "./motion.js";
 import { saveFile } from "./hand-over.js";
 import { copy, makeButton, safely } from "./messages.js";
@@ -21,7 +22,7 @@ const KINDS = {
   buttons: makeButtons,
 };
 
-const TOOLS = { make, makeButton, saveFile, setText }; // for a control that brings what builds it
+const TOOLS = { make, makeButton, safely, saveFile, setText }; // for a control that brings what builds it
 
 /**
  * The part of the page for one control: {control, element, show, place (sliders only), end (optional)}. A
@@ -141,17 +142,35 @@ function makeFile(explorer, control) {
     if (explorer.s[control.name] === null && box.value) {
       box.value = "";
     }
+    readAgain(explorer, control);
   };
   return { element, show };
 }
 
-/** What a file control puts into the state: the bytes, what they open to, or what the kernel has read. */
+/** What a file control puts into the state: the bytes, or what they open to. */
 async function readFiles(explorer, control, files) {
   const loaded = await Promise.all(files.map((file) => bytesOf(file, control, explorer.t)));
-  if (control.reads?.test(loaded[0].name)) {
-    return explorer.host.kernel.read(control.what, loaded, explorer.s);
+  return opened(explorer, control, control.multiple ? loaded : loaded[0]);
+}
+
+/** By the kernel, where there is one that can, or here, as soon as what reads it is there. */
+function opened({ s, host }, control, brought) {
+  if (host.kernel && control.reads) {
+    return host.kernel.read(control.reads, brought, s);
   }
-  return control.open ? control.open(loaded[0]) : loaded[0];
+  return control.open ? whenThere(() => control.open(brought, s)) : brought;
+}
+
+/** What was opened is opened again when the reader has chosen another value of the control `follows`. */
+function readAgain(explorer, control) {
+  const held = explorer.s[control.name];
+  const asked = explorer.s[control.follows];
+  if (!control.follows || !held || held[control.follows] === asked) {
+    return;
+  }
+  held[control.follows] = asked; // once
+  const put = (again) => explorer.s[control.name] === held && explorer.change({ [control.name]: again });
+  safely(explorer, () => opened(explorer, control, held.files).then(put));
 }
 
 /** {name, bytes}; InputError: it is too large, or the browser cannot read it: a folder, or it is gone. */
@@ -178,7 +197,14 @@ function makeButtons(explorer, control) {
     element.setAttribute("aria-label", name);
     element.prepend(make("span", { className: "explorer-name", textContent: name }));
   }
-  const show = () => control.items.forEach((item, i) => showButton(explorer, item, buttons[i]));
+  let isPrepared = !control.prepare;
+  const show = () => {
+    if (!isPrepared) {
+      isPrepared = true;
+      whenThere(control.prepare).catch(() => {}); // who presses a button is told why it fails
+    }
+    control.items.forEach((item, i) => showButton(explorer, item, buttons[i]));
+  };
   return { element, show };
 }
 

@@ -10,7 +10,7 @@ import { fillEquations } from "./equations.js";
 import { HandCheck } from "./handcheck.js";
 import { page } from "./host.js";
 import { arrange } from "./layout.js";
-import { tell } from "./messages.js";
+import { tell, tellWhy } from "./messages.js";
 import { completeControls, defaultsOf } from "./settings.js";
 import { holdStill } from "./still.js";
 import { fillTable } from "./tables.js";
@@ -23,10 +23,7 @@ const WORK_A_FRAME = 8; // ms of it in every frame after that
 let count = 0;
 
 export class Explorer {
-  /**
-   * table: the fields of the paper's Params; key: the name of this explorer in the address; host: what stands
-   * around it (host.js).
-   */
+  /** table: the fields of the paper's Params; key: its name in the address; host: see host.js. */
   constructor(element, key, table, view, host = page()) {
     this.element = element;
     this.key = key;
@@ -34,7 +31,7 @@ export class Explorer {
     this.host = host;
     this.t = speaker(host.language);
     this.id = `explorer-${key.replace(".", "-")}-${++count}`;
-    this.controls = completeControls(view, table, host.kernel !== null);
+    this.controls = completeControls(view, table);
     this.defaults = { ...defaultsOf(view, this.controls, table), ...host.start };
     this.s = { ...this.defaults, ...host.state }; // the state: what the reader has set
     this.tween = {}; // numbers of the state that are on their way
@@ -42,6 +39,7 @@ export class Explorer {
     this.touched = false; // has the reader changed anything?
     this.dragging = false;
     this.playing = null; // the control that moves by itself
+    this.coming = null; // a promise of what had to be fetched first
     this.worded = 0; // when the words were last written
     this.ended = false; // has it left the page?
     this.build();
@@ -139,7 +137,7 @@ export class Explorer {
       this.shown = s;
     } catch (error) {
       this.showControls();
-      tell(this, error);
+      tellWhy(this, error);
       return;
     }
     this.refine(start + WORK_AT_ONCE);

@@ -1,6 +1,7 @@
 // What an explorer tells its reader beside the outcome: mistakes, and that something was copied.
 import { label, make, setText } from "../drawing/make.js";
 import { InputError } from "../language/input.js";
+import { NotYet, whenThere } from "../language/later.js";
 import { copyText } from "./hand-over.js";
 import { WORDS } from "./words.js";
 
@@ -11,13 +12,29 @@ export function makeButton(explorer, text, react) {
   return button;
 }
 
-/** Run what a reader started; a mistake becomes a sentence. */
+/** Run what a reader started, as soon as all that it needs is there; a mistake becomes a sentence. */
 export async function safely(explorer, action) {
   try {
-    await action();
+    await whenThere(action);
   } catch (error) {
     tell(explorer, error);
   }
+}
+
+/** A state cannot be shown: say why. What only needs to be fetched is fetched, and the state shown then. */
+export function tellWhy(explorer, error) {
+  if (!(error instanceof NotYet)) {
+    tell(explorer, error);
+    return;
+  }
+  tell(explorer, error[explorer.t.language], true);
+  const goOn = () => {
+    if (!explorer.ended) {
+      tell(explorer, null);
+      explorer.schedule();
+    }
+  };
+  explorer.coming = error.fetch().then(goOn, (failure) => tell(explorer, failure));
 }
 
 /** The message goes as soon as what is typed is right. */

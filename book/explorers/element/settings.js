@@ -4,15 +4,11 @@ import { WORDS } from "./words.js";
 
 export const SEED = 2;
 
-/**
- * The controls of a view; ranges and words that it does not give come from the table of the Params. Where
- * there is a kernel, a control may be another one, and some are there only then.
- */
-export function completeControls(view, table, hasKernel) {
-  const offered = view.controls.filter((control) => hasKernel || !control.needsKernel);
-  return offered.map((control) => {
+/** The controls of a view; ranges and words that it does not give come from the table of the Params. */
+export function completeControls(view, table) {
+  return view.controls.map((control) => {
     const field = table[control.name];
-    return { ...field, unit: field?.unit || "", ...control, ...(hasKernel && control.withKernel) };
+    return { ...field, unit: field?.unit || "", ...control };
   });
 }
 

@@ -47,4 +47,9 @@ export const WORDS = {
     en: "“{name}” is too large; the limit is {most} MB.",
   },
   stop: { id: "Berhenti", en: "Stop" },
+  fetching: { id: "Sebentar: bagian ini sedang diambil.", en: "One moment: this part is being fetched." },
+  unfetched: {
+    id: "Bagian ini belum dapat diambil: sambungkan jaringan, lalu coba lagi.",
+    en: "This part could not be fetched: connect to the network and try again.",
+  },
 };

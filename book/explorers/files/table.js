@@ -87,8 +87,8 @@ function aboutSheet(title, count) {
 
 // --- grid -> table -----------------------------------------------------------------------------------------
 
-/** The table of a grid; remarks: how the grid was found. */
-function tableOf(grid, decimal, chosen, remarks) {
+/** The table of a grid. chosen: what stands for a gap, null: find out; remarks: how the grid was found. */
+export function tableOf(grid, decimal, chosen, remarks) {
   const block = find(grid);
   if (block === null) {
     throw noNumbers();

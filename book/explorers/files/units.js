@@ -50,7 +50,7 @@ const TIME_WORDS = setOf(
 );
 export const CLOCK_WORDS = setOf("pukul jam waktu time");
 const ROW_WORDS = setOf("no nomor nr num number index indeks idx id row baris record rec urut # n k");
-export const SPEED_WORDS = setOf("v speed velocity kecepatan laju kec");
+const SPEED_WORDS = setOf("v speed velocity kecepatan laju kec");
 export const VALUE_WORDS = setOf(
   "v speed velocity kecepatan laju kec suhu temp temperature temperatur z y value nilai measurement " +
     "measured terukur pengukuran data reading level tinggi height jarak distance posisi position tekanan " +
@@ -160,6 +160,11 @@ export function namesTime(header, unit) {
 export function namesRow(header) {
   const words = wordsOf(header);
   return words.length > 0 && words.length <= 2 && words.every((word) => ROW_WORDS.has(word));
+}
+
+/** Does it speak of a speed? */
+export function namesSpeed(header) {
+  return namesMeasurement(header, SPEED_WORDS);
 }
 
 export function namesMeasurement(header, words = VALUE_WORDS) {

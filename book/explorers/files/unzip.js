@@ -1,5 +1,6 @@
 // The parts of an archive, unpacked by the browser itself; their size is checked while they are.
 import { InputError } from "../language/input.js";
+import { checksum } from "./zip.js";
 
 export const MAX_PART = 50000000; // bytes of one part
 const MAX_PARTS = 10000;
@@ -16,7 +17,7 @@ const DEFLATED = 8;
 /** What is wrong with the bytes of an archive; the reader is told in a sentence. */
 export class Damaged extends Error {}
 
-/** Map of path -> {method, start, size}: where the parts of an archive lie. */
+/** Map of path -> {method, locked, sum, packed, size, offset}: where the parts of an archive lie. */
 export function directoryOf(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const end = endOf(view);
@@ -32,7 +33,10 @@ export function directoryOf(bytes) {
     const path = new TextDecoder().decode(bytes.subarray(at + CENTRAL_LENGTH, at + CENTRAL_LENGTH + name));
     parts.set(path, {
       method: view.getUint16(at + 10, true),
+      locked: view.getUint16(at + 8, true) % 2 === 1,
+      sum: view.getUint32(at + 16, true),
       packed: view.getUint32(at + 20, true),
+      size: view.getUint32(at + 24, true),
       offset: view.getUint32(at + 42, true),
     });
     at += CENTRAL_LENGTH + name + extra + remark;
@@ -57,19 +61,27 @@ function endOf(view) {
 }
 
 /** The text of one part; InputError while unpacking, if it is too long. */
-export async function textOfPart(bytes, { method, packed, offset }, tooLarge) {
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  need(view.getUint32(offset, true) === LOCAL_HEADER && (method === STORED || method === DEFLATED));
-  const start = offset + LOCAL_LENGTH + view.getUint16(offset + 26, true) + view.getUint16(offset + 28, true);
-  const content = bytes.subarray(start, start + packed);
-  const unpacked = method === STORED ? content : await inflated(content, tooLarge);
-  if (unpacked.length > MAX_PART) {
-    throw tooLarge();
-  }
-  return new TextDecoder().decode(unpacked);
+export async function textOfPart(bytes, part, tooLarge) {
+  return new TextDecoder().decode(await bytesOfPart(bytes, part, tooLarge));
 }
 
-async function inflated(content, tooLarge) {
+/** The bytes of one part, at most so many; their sum must be that of the archive. */
+export async function bytesOfPart(bytes, { method, locked, sum, packed, offset }, tooLarge, most = MAX_PART) {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  need(
+    view.getUint32(offset, true) === LOCAL_HEADER && !locked && (method === STORED || method === DEFLATED),
+  );
+  const start = offset + LOCAL_LENGTH + view.getUint16(offset + 26, true) + view.getUint16(offset + 28, true);
+  const content = bytes.subarray(start, start + packed);
+  const unpacked = method === STORED ? content : await inflated(content, tooLarge, most);
+  if (unpacked.length > most) {
+    throw tooLarge();
+  }
+  need(checksum(unpacked) === sum);
+  return unpacked;
+}
+
+async function inflated(content, tooLarge, most) {
   const stream = new Blob([content]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
   const reader = stream.getReader();
   const pieces = [];
@@ -82,7 +94,7 @@ async function inflated(content, tooLarge) {
       break;
     }
     size += value.length;
-    if (size > MAX_PART) {
+    if (size > most) {
       await reader.cancel();
       throw tooLarge();
     }

@@ -76,12 +76,13 @@ function directoryEntry(about, offset) {
   );
 }
 
-function checksum(data) {
+/** CRC-32 of bytes. */
+export function checksum(data) {
   let crc = -1;
   for (const byte of data) {
     crc = CRC[(crc ^ byte) & 255] ^ (crc >>> 8);
   }
-  return ~crc;
+  return ~crc >>> 0;
 }
 
 /** Whole numbers [value, number of bytes] as bytes, the lowest byte first. */

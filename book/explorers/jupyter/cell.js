@@ -19,7 +19,6 @@ export function cellHost(model, wrapper, kernel, settings) {
     },
     drawn(explorer) {
       bridge.tellSoon(explorer.dragging ? EVERY : 0);
-      kernel.keepReading(explorer);
     },
     settled() {},
     leave: () => bridge.leave(),

@@ -1,9 +1,8 @@
-// What the kernel does for an explorer: it reads the reader's recordings, and writes a workbook
+// What the kernel does for an explorer: it reads the reader's recordings, old .xls too, and writes a workbook
 // with chart and notes. Twin of kalman_lib/live/files.py, which answers.
-import { safely } from "../element/messages.js";
 import { InputError } from "../language/input.js";
 
-/** {read(what, files, s), write(question), keepReading(explorer), leave()} for an anywidget's model. */
+/** {read(what, files, s), write(question), leave()} for an anywidget's model. */
 export function kernelOf(model) {
   const { ask, leave } = questions(model);
   const read = async (what, files, { axes } = {}) => {
@@ -17,17 +16,7 @@ export function kernelOf(model) {
     const answer = await ask({ ...question, arrays: names }, Object.values(arrays).map(ownBytes));
     return { name: answer.name, type: answer.type, content: answer.buffers[0] };
   };
-
-  /** A recording is read again when the reader chooses other axes for it. */
-  const keepReading = (explorer) => {
-    const { recording, axes } = explorer.s;
-    if (recording?.files && recording.axes !== axes) {
-      recording.axes = axes;
-      const put = (again) => explorer.s.recording === recording && explorer.change({ recording: again });
-      safely(explorer, () => read("recording", recording.files, explorer.s).then(put));
-    }
-  };
-  return { read, write, keepReading, leave };
+  return { read, write, leave };
 }
 
 /** {ask(question, buffers) -> a promise of the answer, leave()}. */

@@ -9,35 +9,26 @@ const PATIENCE = 10; // readings that may pass until the device's angles tell th
 const ANGLES = ["deviceorientation", "deviceorientationabsolute"];
 
 /**
- * Ask for the sensors (in the tap of the reader: iOS shows its question only then), and hand every reading to
- * hear({t ms, gyr, acc, heading, mag}), or null when the page is hidden and no more will come. Returns what
- * ends it; InputError: there is no sensor, or no permission.
+ * Hand every reading to hear({t ms, gyr, acc, heading, mag}), or null when the page is hidden and no more
+ * will come. allowed: a promise of the browser's answers about its events (own/phone.js asks in the reader's
+ * tap). Returns what ends it; InputError: there is no sensor, or no permission.
  */
-export async function listen(hear) {
+export async function listen(hear, allowed) {
   if (!window.isSecureContext) {
     throw new InputError(REFUSED.insecure);
   }
   if (!("DeviceMotionEvent" in window)) {
     throw new InputError(REFUSED.none);
   }
-  await askPermission();
+  const [motion] = await allowed;
+  if (motion.value !== "granted") {
+    throw new InputError(REFUSED.denied);
+  }
   const end = new AbortController();
   await firstReading(hear, end);
   keepAwake(end.signal);
   document.addEventListener("visibilitychange", () => document.hidden && hear(null), { signal: end.signal });
   return () => end.abort();
-}
-
-/** One question for both events; where there is no such function, nothing needs to be asked. */
-async function askPermission() {
-  const asked = ["DeviceMotionEvent", "DeviceOrientationEvent"].map((name) => {
-    const event = window[name];
-    return event?.requestPermission ? event.requestPermission() : "granted";
-  });
-  const [motion] = await Promise.allSettled(asked);
-  if (motion.value !== "granted") {
-    throw new InputError(REFUSED.denied);
-  }
 }
 
 /** Begin to listen; done when the first reading is there, InputError if none comes. */

@@ -5,14 +5,10 @@ import { recorder } from "./recording.js";
 
 const PAUSE = 3000; // ms without a reading: nobody knows how it has turned, and the recording ends
 
-/** Put a motion that is complete, or none, into the state. */
-export function take(explorer, { name, also }, motion) {
-  explorer.change({ [name]: motion, ...also?.(motion, explorer.s) });
-}
-
-/** The readings of one control: isOn, isAsking, start(), end(), follow(). */
-export class Live {
-  constructor(explorer, control) {
+/** The readings of one control: isOn, isAsking, start(allowed), end(), follow(). */
+class Live {
+  constructor(explorer, control, take) {
+    this.take = (motion) => take(explorer, control, motion);
     this.explorer = explorer;
     this.control = control;
     this.name = control.name;
@@ -21,18 +17,19 @@ export class Live {
     this.stop = () => {};
   }
 
-  async start() {
+  /** allowed: a promise of what the reader has said to the browser's question. */
+  async start(allowed) {
     this.made = recorder();
-    take(this.explorer, this.control, null);
+    this.take(null);
     this.last = null; // what we have put into the state
     this.isOn = true;
     this.isAsking = true;
     this.explorer.showControls();
     try {
-      this.stop = await listen((reading) => this.hear(reading));
+      this.stop = await listen((reading) => this.hear(reading), allowed);
     } catch (error) {
       this.isOn = false;
-      take(this.explorer, this.control, this.control.example?.() ?? null);
+      this.take(this.control.example?.() ?? null);
       throw error;
     } finally {
       this.isAsking = false;
@@ -71,7 +68,12 @@ export class Live {
     this.isOn = false;
     this.stop();
     if (wasOn && last && !explorer.ended && explorer.s[this.name] === last) {
-      take(explorer, this.control, this.made.motion(false));
+      this.take(this.made.motion(false));
     }
   }
+}
+
+/** take(explorer, control, motion) puts a motion that is complete, or none, into the state. */
+export function liveOf(explorer, control, take) {
+  return new Live(explorer, control, take);
 }

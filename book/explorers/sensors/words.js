@@ -1,39 +1,4 @@
-// What the control of a phone's sensors says.
-
-export const SENSORS = {
-  name: { id: "Sensor ponsel ini", en: "This phone's sensors" },
-  start: { id: "Pakai sensor ponsel ini", en: "Use this phone's sensors" },
-  stop: { id: "Berhenti", en: "Stop" },
-  back: { id: "Tutup rekaman", en: "Close the recording" },
-  keep: { id: "Simpan di ponsel ini", en: "Keep on this phone" },
-  forget: { id: "Hapus simpanan", en: "Forget what is kept" },
-  save: { id: "Unduh CSV", en: "Download CSV" },
-  kept: { id: "Putar ulang simpanan", en: "Replay a kept recording" },
-  none: { id: "pilih", en: "choose" },
-};
-
-export const STATUS = {
-  private: {
-    id: "Bacaan sensor tetap di alat ini; tidak ada yang dikirim.",
-    en: "The readings stay on this device; nothing is sent.",
-  },
-  synthetic: { id: "Gambar ini memakai data sintetis.", en: "The figure shows synthetic data." },
-  asking: { id: "Menunggu bacaan pertama.", en: "Waiting for the first reading." },
-  live: {
-    id: "Langsung: {seconds} s, {rate} bacaan per detik, {compass}.",
-    en: "Live: {seconds} s, {rate} readings a second, {compass}.",
-  },
-  recorded: {
-    id: "Rekaman: {seconds} s, {rate} bacaan per detik, {compass}.",
-    en: "Recorded: {seconds} s, {rate} readings a second, {compass}.",
-  },
-  example: {
-    id: "Rekaman sintetis: {seconds} s, {rate} bacaan per detik, {compass}.",
-    en: "A synthetic recording: {seconds} s, {rate} readings a second, {compass}.",
-  },
-  compass: { id: "dengan kompas", en: "with a compass" },
-  no_compass: { id: "tanpa kompas", en: "without a compass" },
-};
+// Why the sensors of a phone cannot be read.
 
 export const REFUSED = {
   insecure: {
@@ -56,9 +21,5 @@ export const REFUSED = {
       "Reading the sensors was not allowed. " +
       "Allow motion sensors in the settings of the site and try again. " +
       "Until then the figure shows synthetic data.",
-  },
-  full: {
-    id: "Peramban menolak menyimpan rekaman ini. Unduhlah sebagai CSV.",
-    en: "The browser refused to keep this recording. Download it as CSV.",
   },
 };

@@ -2,7 +2,7 @@
 // degrees: the filter does not mind, as long as all its numbers have the same unit. The gyroscope is
 // synthetic, or that of the reader's own phone (phone.js).
 import { generator } from "../../numerics/random.js";
-import { sensorControl } from "../../sensors/control.js";
+import { sensorControl } from "../../own/phone.js";
 import { exampleMotion } from "../../sensors/example.js";
 import { run } from "./model.js";
 import { REST, TURNS, follow, ghosts, limitsOf, sigmaOf } from "./phone.js";

@@ -1,5 +1,6 @@
 // One flight, filtered as the reader has chosen. What does not change is kept: the flight, the sensors, the
 // result.
+import { readRecording } from "../../files/recording.js";
 import { generator } from "../../numerics/random.js";
 import { METHODS, attitude } from "./attitude.js";
 import { simulate } from "./flight.js";
@@ -8,7 +9,15 @@ import { mean, rmse_deg } from "./statistics.js";
 
 const DRAWN = 315; // samples: of the flight every twentieth, 0.4 s, about one for a pixel
 
-/** The synthetic flight, or the recording that the kernel of a notebook has read. */
+/** The reader's files -> a promise of the recording in them, as the kernel of a notebook reads it. */
+export async function openRecording(files, { axes }) {
+  const found = await readRecording(files, axes || null);
+  const told = (language) => found.notes.map((note) => note[language]).join(" ");
+  const note = { en: told("en"), id: told("id") };
+  return { ...found, truth: found.reference, note, name: files[0].name, files, axes };
+}
+
+/** The synthetic flight, or a recording of the reader's. */
 export function compute(s, memo) {
   const source = s.recording ?? s.seed;
   const flight = kept(memo, "flight", [source], () => flightOf(s));

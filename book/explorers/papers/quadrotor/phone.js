@@ -1,6 +1,6 @@
 // The reader's own phone in the view "tilt": as gyroscope, accelerometer and filter see it, with a level
 // and a compass.
-import { sensorControl } from "../../sensors/control.js";
+import { sensorControl } from "../../own/phone.js";
 import { exampleMotion } from "../../sensors/example.js";
 import { size } from "./figures.js";
 import { AXES } from "./model.js";

@@ -1,13 +1,14 @@
 // What the explorer of chapter 6 shows: a flight, three methods, and sensors that can be switched off.
 import { METHODS } from "./attitude.js";
 import { craft, panel, size } from "./figures.js";
-import { compute } from "./flown.js";
+import { compute, openRecording } from "./flown.js";
 import { AXES, DEG, galat_of } from "./model.js";
 import { question } from "./questions.js";
 import { CONTROLS, CRAFT, FACTS, NAME, OUTCOME, SHOWN } from "./words.js";
 
 const STEEP = 75; // degrees: beyond, Euler angles fail
 const LONGEST = 126; // s, the synthetic flight
+const LARGEST_FILE = 80000000; // bytes
 const TABLE_STEP = 25; // samples: half a second
 
 // --- words and numbers -------------------------------------------------------------------------------------
@@ -153,16 +154,16 @@ const controls = [
     multiple: true,
     accept: ".csv,.zip,.txt,.xlsx,.xls",
     ...CONTROLS.recording,
-    needsKernel: true,
-    reads: /./,
-    what: "recording",
+    largest: LARGEST_FILE,
+    reads: "recording",
+    open: openRecording,
+    follows: "axes",
   },
   {
     kind: "select",
     name: "axes",
     default: "",
     ...CONTROLS.axes,
-    needsKernel: true,
     visible: (s) => s.recording,
     options: ["", "phone", "flu", "frd"].map((axes) => [axes, CONTROLS.frames[axes]]),
   },

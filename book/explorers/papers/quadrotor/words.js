@@ -70,8 +70,8 @@ export const CONTROLS = {
   adaptive: { id: "adaptif", en: "adaptive" },
   literal: { id: "persis seperti tercetak", en: "exactly as printed" },
   recording: {
-    id: "Rekaman sendiri (CSV, ZIP, atau Excel; tetap di komputer ini)",
-    en: "A recording of my own (CSV, ZIP or Excel; it stays on this computer)",
+    id: "Rekaman sendiri (CSV, ZIP, atau Excel; tetap di perangkat ini)",
+    en: "A recording of my own (CSV, ZIP or Excel; it stays on this device)",
   },
   axes: { id: "Sumbu alat", en: "Axes of the device" },
   frames: {

@@ -1,7 +1,7 @@
 // The data of chapter 4: the synthetic towing run, or what the reader pasted or opened.
-import { broughtTable, chosenColumns, hasBrought } from "../../files/own.js";
+import { broughtTable, chosenColumns, hasBrought } from "../../own/data.js";
 import { seriesOf } from "../../files/series.js";
-import { SPEED_WORDS, namesMeasurement } from "../../files/units.js";
+import { namesSpeed } from "../../files/units.js";
 import { InputError } from "../../language/input.js";
 import { inBoth } from "../../language/speaker.js";
 import { generator } from "../../numerics/random.js";
@@ -46,7 +46,7 @@ function synthetic({ seed, sigma }) {
 /** The column of a table that is a speed by its name, or the one that is measured. */
 export function speedOf(table) {
   const others = [...table.columns.keys()].filter((name) => name !== table.time);
-  const named = others.find((name) => namesMeasurement(table.heads.get(name), SPEED_WORDS));
+  const named = others.find((name) => namesSpeed(table.heads.get(name)));
   return named ?? table.value;
 }
 

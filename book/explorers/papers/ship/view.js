@@ -1,5 +1,5 @@
 // What the explorer of chapter 4 shows: the fit of AR(2), its poles, and the filter with the fitted model.
-import { ownControls } from "../../files/own.js";
+import { ownControls } from "../../own/data.js";
 import { TIME_UNITS } from "../../files/units.js";
 import { mean, nis, rmse } from "../../numerics/metrics.js";
 import { rtsSmooth } from "../../numerics/smoother.js";

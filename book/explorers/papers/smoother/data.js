@@ -1,7 +1,6 @@
 // Where the numbers of chapter 2 come from: the paper, three synthetic look-alikes, the Nile, or the reader.
 import nile from "data/nile.csv";
-import { broughtTable, chosenColumns, hasBrought } from "../../files/own.js";
-import { readTable } from "../../files/table.js";
+import { broughtTable, chosenColumns, hasBrought } from "../../own/data.js";
 import { generator } from "../../numerics/random.js";
 import { LOOK_ALIKES, MEASURED, look_alike } from "./model.js";
 import { MEASURED_NAME, NO_DATA_YET, SOURCES } from "./words.js";
@@ -59,8 +58,14 @@ function dataOf(s) {
     return { ...look_alike(s.source, generator(s.seed)), note: syntheticNote(SOURCES[s.source], s.seed) };
   }
   const { id, en } = SOURCES[s.source];
-  const z = s.source === "nile" ? readTable({ text: nile }).columns.get("volume_1e8_m3") : MEASURED;
+  const z = s.source === "nile" ? volumesOf(nile) : MEASURED;
   return { z, note: { id: `${id}.`, en: `${en}.` } };
+}
+
+/** The last column of the file that comes with the book. */
+function volumesOf(text) {
+  const [, ...lines] = text.trim().split("\n");
+  return Float64Array.from(lines, (line) => Number(line.split(",").at(-1)));
 }
 
 function ownData(s) {

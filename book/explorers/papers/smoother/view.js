@@ -1,5 +1,5 @@
 // The first explorer of chapter 2: the paper's form, with data of the reader's own.
-import { ownControls } from "../../files/own.js";
+import { ownControls } from "../../own/data.js";
 import { InputError } from "../../language/input.js";
 import { inBoth } from "../../language/speaker.js";
 import { rmse } from "../../numerics/metrics.js";

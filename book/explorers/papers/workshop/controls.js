@@ -1,11 +1,11 @@
 // The controls of the workshop. They come in five groups, one at a time: that is enough for a small screen.
-import { ownControls } from "../../files/own.js";
-import { sensorControl } from "../../sensors/control.js";
+import { ownControls } from "../../own/data.js";
+import { sensorControl } from "../../own/phone.js";
 import { columnNames, isOwn, isTimed } from "./table.js";
 import { patternFor, startingNoise, usesSecond } from "./data.js";
 import { START_F, START_H, readMatrices } from "./matrices.js";
 import { PATTERN, SECOND } from "./model.js";
-import { takeAway, takeWorkbook } from "./take.js";
+import { readyToTake, takeAway, takeWorkbook } from "./take.js";
 import { CONTROLS, GROUPS, PATTERNS, SECONDS } from "./words.js";
 
 const GROUP_NAMES = ["data", "motion", "noise", "check", "take"];
@@ -153,6 +153,17 @@ const motionControls = [
 
 // --- noise -------------------------------------------------------------------------------------------------
 
+/** Where the filter starts, after what its states are. */
+const startControls = ["first_x", "first_P"].map((name) => ({
+  kind: "text",
+  name,
+  rows: 1,
+  kept: true,
+  default: "",
+  ...CONTROLS[name],
+  visible: inGroup("motion"),
+}));
+
 /** The most likely noise, as the sliders can hold it. */
 function keep(s, { found }) {
   const values = Object.entries(found?.values ?? {}).map(([name, value]) => {
@@ -213,7 +224,7 @@ const checkControls = [
 ];
 
 const takeControls = [
-  { kind: "buttons", items: takeAway, visible: inGroup("take") },
+  { kind: "buttons", items: takeAway, prepare: readyToTake, visible: inGroup("take") },
   {
     kind: "buttons",
     items: [takeWorkbook],
@@ -225,6 +236,7 @@ export const controls = [
   groups,
   ...dataControls,
   ...motionControls,
+  ...startControls,
   ...noiseControls,
   ...checkControls,
   ...takeControls,

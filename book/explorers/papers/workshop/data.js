@@ -2,10 +2,12 @@
 import { InputError } from "../../language/input.js";
 import { inBoth } from "../../language/speaker.js";
 import { generator } from "../../numerics/random.js";
-import { OWN_F, OWN_H, PATTERN, SECOND, STEPS, median, simulate } from "./model.js";
+import { OWN_F, OWN_H, PATTERN, SECOND, STEPS, median, simulate, statesOf } from "./model.js";
 import { readMatrices } from "./matrices.js";
+import { readStart } from "./start.js";
 import { columnsFrom, isOwn } from "./table.js";
-import { NOTES, WRONG } from "./words.js";
+import { WRONG } from "./mistakes.js";
+import { NOTES } from "./words.js";
 
 // The noise in made-up data, by pattern; that of the sensors is the same for all
 const TRUE_Q = [NaN, 0.01, 1, 0.01, 1e-5, 0.1];
@@ -18,20 +20,22 @@ const HOLE = [55, 75]; // the steps without a measurement
 
 /** What the data depends on. */
 const KEYS = [
-  ...["seed", "pattern", "second", "bias", "dt", "F", "H", "dirty", "hole"],
+  ...["seed", "pattern", "second", "bias", "dt", "F", "H", "first_x", "first_P", "dirty", "hole"],
   ...["motion", "text", "file", "sheet", "sign", "missing", "time", "value", "axis", "value2", "factor"],
 ];
 
 /**
- * {t (T), dt (T) or null, z (T m), u (T) or null, truth (T states) or null, F, H, x0, P0, note}: the data
- * that is shown, and where its filter starts; memo keeps it while nothing about it changes.
+ * {t (T), dt (T) or null, z (T m), u (T) or null, truth (T states) or null, F, H, x0, P0, start, note}: the
+ * data that is shown, and where its filter starts: by the data, or as the reader says (`start`); memo keeps
+ * it while nothing about it changes.
  */
 export function load(s, memo) {
   const key = KEYS.map((name) => s[name]);
   if (!memo.key?.every((value, i) => value === key[i])) {
     const matrices = s.pattern === PATTERN.OWN ? readMatrices(s.F, s.H) : { F: OWN_F, H: OWN_H };
     const data = isOwn(s) ? brought(s, matrices.H.length) : madeUp(s, matrices);
-    memo.data = { ...data, ...matrices, ...startOf(s, data) };
+    const start = readStart(s, statesOf(s, matrices.F));
+    memo.data = { ...data, ...matrices, ...startOf(s, data), start };
     memo.key = key;
     memo.fit = null;
   }
@@ -112,15 +116,24 @@ function brought(s, rows_of_H) {
     }
   }
   const times = t === null ? evenTimes(s, first.length) : unevenTimes(t);
-  return { ...times, z, m, u: isInput ? withoutGaps(other) : null, truth: null, note };
+  const { u, held } = isInput ? heldInput(other) : { u: null, held: null };
+  return { ...times, z, m, u, truth: null, note, held };
 }
 
-function withoutGaps(u) {
-  const row = u.findIndex(Number.isNaN) + 1;
-  if (row > 0) {
-    throw new InputError(inBoth(WRONG.gap_in_input, { row: String(row) }));
+/** A known input that was not written down is taken not to have changed: {u, held: a note on it or null}. */
+function heldInput(input) {
+  const start = input.findIndex((value) => !Number.isNaN(value));
+  if (start < 0) {
+    throw new InputError(WRONG.empty_input);
   }
-  return u;
+  const u = Float64Array.from(input);
+  let last = u[start];
+  for (let k = 0; k < u.length; k++) {
+    last = Number.isNaN(u[k]) ? last : u[k];
+    u[k] = last;
+  }
+  const gaps = input.filter(Number.isNaN).length;
+  return { u, held: gaps > 0 ? inBoth(NOTES.held, { gaps: String(gaps) }) : null };
 }
 
 /** {t, dt: null}: all steps are s.dt. */

@@ -2,7 +2,7 @@
 import { climb } from "./fit.js";
 import { logLikelihood } from "./filter.js";
 import { judge } from "./judge.js";
-import { PATTERN, median, model, run } from "./model.js";
+import { PATTERN, median, modelOf, run } from "./model.js";
 
 export const GATE = 0.999;
 const FIT_ROWS = 1000; // so many tell the noise well enough
@@ -38,7 +38,7 @@ export function* mostLikely(s, data) {
   let v = startOf(s, cut, names);
   let found = null;
   for (let round = 0; round < ROUNDS; round++) {
-    const height = (w) => logLikelihood(model(asParams(s, data, names, w), cut.dt, data.F, data.H), z, cut.u);
+    const height = (w) => logLikelihood(modelOf(asParams(s, data, names, w), cut), z, cut.u);
     found = yield* climb(height, v);
     const p = asParams(s, data, names, found.v);
     const gated = s.gate ? run(p, cut, GATE).gated : [];

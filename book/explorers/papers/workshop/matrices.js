@@ -1,7 +1,7 @@
 // F and H as a reader types them: rows below each other or between semicolons, or as in Python.
 import { InputError, number } from "../../language/input.js";
 import { inBoth } from "../../language/speaker.js";
-import { MATRICES } from "./words.js";
+import { MATRICES } from "./mistakes.js";
 
 const MOST_STATES = 6;
 const MOST_SENSORS = 2;
@@ -29,7 +29,8 @@ export function readMatrices(text_F, text_H) {
   return { F, H };
 }
 
-function readMatrix(name, text) {
+/** The rows of a matrix; InputError: it is none. */
+export function readMatrix(name, text) {
   const isPython = text.includes("[");
   const plain = isPython ? text.replace(/\]\s*,/g, "\n").replace(/[[\],]/g, " ") : text;
   const lines = plain.split(/[\n;]/).map((line) => line.trim());

@@ -20,15 +20,25 @@ const PERIOD = 50; // steps of the wave that a known input makes in made-up data
 /**
  * The filter that was built. State: the quantity and its rates, as many as the pattern has, then the bias if
  * there is one. dt (T) s: the steps before each measurement, where they are uneven; F and H are those of the
- * pattern OWN, whose F belongs to a step, whatever it takes.
+ * pattern OWN, whose F belongs to a step, whatever it takes. x0 (n) and P0 (n n): where the filter starts, if
+ * p does not say it.
  */
-export function model(p, dt = null, F = OWN_F, H = OWN_H) {
+export function model(p, dt = null, F = OWN_F, H = OWN_H, x0 = null, P0 = null) {
   const noise = [p.R, p.R2];
-  if (p.pattern === PATTERN.OWN) {
-    return ownModel(p, noise, F, H);
-  }
+  const made = p.pattern === PATTERN.OWN ? ownModel(p, noise, F, H) : patternModel(p, noise, dt);
+  made.x0.set(x0 ?? made.x0);
+  made.P0.set(P0 ?? made.P0);
+  return made;
+}
+
+/** The filter that the workshop builds over its data. */
+export function modelOf(p, { dt, F, H, start }) {
+  return model(p, dt, F, H, start?.x0, start?.P0);
+}
+
+function patternModel(p, noise, dt) {
   const steps = dt ?? [p.dt];
-  const n = ORDER[p.pattern] + hasBias(p);
+  const n = statesOf(p);
   const each = (make, size) => {
     const all = new Float64Array(steps.length * size);
     steps.forEach((step, k) => make(p, step, n, all.subarray(k * size, (k + 1) * size)));
@@ -136,6 +146,11 @@ function factorial(n) {
   return n < 2 ? 1 : n * factorial(n - 1);
 }
 
+/** How many states the filter has. */
+export function statesOf(p, F = OWN_F) {
+  return p.pattern === PATTERN.OWN ? F.length : ORDER[p.pattern] + hasBias(p);
+}
+
 /** Is the bias of the second column a state? */
 export function hasBias(p) {
   return Boolean(p.bias) && p.second !== SECOND.NONE && p.pattern !== PATTERN.OWN;
@@ -227,6 +242,6 @@ function trueBias(p) {
 }
 
 /** The filter over {z (T m), u (T) or null}, with uneven steps dt, own F and H, and a gate, if there are. */
-export function run(p, { z, u, dt, F, H }, gate = 0) {
-  return filterSeries(model(p, dt, F, H), z, u, gate);
+export function run(p, data, gate = 0) {
+  return filterSeries(modelOf(p, data), data.z, data.u, gate);
 }

@@ -1,10 +1,11 @@
 // The table of the reader's own: pasted, opened, or recorded with the sensors of the phone.
-import { broughtTable, chosenColumns, hasBrought, knownTable } from "../../files/own.js";
+import { broughtTable, chosenColumns, hasBrought, knownTable } from "../../own/data.js";
 import { seriesOf } from "../../files/series.js";
 import { InputError } from "../../language/input.js";
 import { inBoth } from "../../language/speaker.js";
+import { WRONG } from "./mistakes.js";
 import { median } from "./model.js";
-import { NOTES, WRONG } from "./words.js";
+import { NOTES } from "./words.js";
 
 const LEAST_ROWS = 10;
 const LONG = [

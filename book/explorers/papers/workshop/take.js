@@ -1,12 +1,15 @@
 // What a reader of chapter 7 takes along: the filter as a program, its numbers, and a workbook.
 import { tooLong } from "../../files/limits.js";
-import { CSV_NAME, csvText, filterpyCode, kalmanCode } from "./code.js";
-import { writeWorkbook } from "./workbook.js";
+import { CSV_NAME, csvText, filterpyCode, kalmanCode, ready } from "./later/code.js";
+import { writeWorkbook } from "./later/workbook.js";
 import { TAKE } from "./words.js";
 
 const MAX_WRITE = 100000; // rows
 const XLSX = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet";
 const PYTHON = "text/x-python;charset=utf-8";
+
+/** A clipboard takes what a tap brings at once: the programs are at hand when their buttons are shown. */
+export const readyToTake = ready;
 
 function saveCode(name, code) {
   return (r, s, t) => ({ name, type: PYTHON, content: code(r, s, t) });

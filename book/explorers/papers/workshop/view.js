@@ -5,7 +5,7 @@ import { load } from "./data.js";
 import { evaluate, mostLikely } from "./estimate.js";
 import { band, column, plots } from "./figures.js";
 import { isUnlikely } from "./judge.js";
-import { PATTERN, hasBias, model } from "./model.js";
+import { PATTERN, hasBias, modelOf } from "./model.js";
 import { question } from "./questions.js";
 import { verdict } from "./verdict.js";
 import { FACTS, NAME, OUTCOME } from "./words.js";
@@ -65,6 +65,9 @@ function outcome(r, s, t) {
   if (r.found && r.found.rows < r.T && s.likely) {
     sentences.push(t.say(OUTCOME.cut, { rows: String(r.found.rows) }));
   }
+  if (r.data.held) {
+    sentences.push(t.say(r.data.held));
+  }
   if (r.data.truth || s.group === "data") {
     sentences.push(t.say(r.data.note)); // made-up data is always called so
   }
@@ -122,7 +125,7 @@ function againstTruth({ data, first, result, average, z }, t) {
 /** The matrices of a step, and where the filter starts. */
 function equations(r, s, t) {
   const { n, m, F, H, Q, R } = r.result;
-  const { x0, P0 } = model(r.p, r.data.dt, r.data.F, r.data.H);
+  const { x0, P0 } = modelOf(r.p, r.data);
   const last = F.length - n * n;
   const rows = (values, height, width) =>
     Array.from({ length: height }, (_, i) =>

@@ -43,49 +43,13 @@ export const NOTES = {
     id: "Yang disaring: {value} dan {other}; waktunya: {time}{unit}.",
     en: "Filtered are {value} and {other}; their times are {time}{unit}.",
   },
+  held: {
+    id: "Masukan yang kosong ({gaps} baris) dianggap tidak berubah.",
+    en: "Where the input is missing ({gaps} rows), it is taken not to have changed.",
+  },
   recorded: {
     id: "Data dari sensor perangkat ini: percepatan (acc) dalam m/s², laju putar (gyr) dalam °/s.",
     en: "Data of this device's sensors: acceleration (acc) in m/s², rate of turn (gyr) in °/s.",
-  },
-};
-
-export const WRONG = {
-  no_second: {
-    id: "Tabel ini tidak punya kolom kedua: pilihlah “tidak dipakai” di bawah “2 Gerak”.",
-    en: "This table has no second column: choose “not used” below “2 Motion”.",
-  },
-  gap_in_input: {
-    id: "Masukan yang diketahui tidak boleh kosong, tetapi baris data ke-{row} kosong.",
-    en: "A known input may have no gap, but row {row} of the data is empty.",
-  },
-  short: {
-    id: "Filter memerlukan sedikitnya sepuluh baris data.",
-    en: "A filter needs at least ten rows of data.",
-  },
-};
-
-export const MATRICES = {
-  empty: { id: "{name} masih kosong.", en: "{name} is still empty." },
-  no_number: { id: "“{cell}” di dalam {name} bukan bilangan.", en: "“{cell}” in {name} is not a number." },
-  ragged: {
-    id: "Baris ke-{row} dari {name} berisi {has} bilangan, sedangkan baris pertamanya {first}.",
-    en: "Row {row} of {name} has {has} numbers, but its first row has {first}.",
-  },
-  square: {
-    id: "F harus persegi: sekarang {n} baris dan {m} kolom.",
-    en: "F must be square: it has {n} rows and {m} columns.",
-  },
-  large: {
-    id: "F berisi {n} keadaan; di sini paling banyak {most}.",
-    en: "F has {n} states; here {most} is the most.",
-  },
-  columns: {
-    id: "H harus mempunyai {n} kolom seperti F: sekarang {m}.",
-    en: "H must have {n} columns, like F: it has {m}.",
-  },
-  sensors: {
-    id: "H berisi {m} baris; di sini paling banyak {most}, satu untuk setiap sensor.",
-    en: "H has {m} rows; here {most} is the most, one for each sensor.",
   },
 };
 
@@ -106,6 +70,14 @@ export const CONTROLS = {
   pattern: { id: "Bagaimana besaran itu berubah?", en: "How does the quantity change?" },
   F: { id: "F, satu baris per baris (keadaan berikutnya = F x)", en: "F, a row a line (next state = F x)" },
   H: { id: "H, satu baris per sensor (z = H x)", en: "H, a row for each sensor (z = H x)" },
+  first_x: {
+    id: "x₀, satu bilangan per keadaan (kosong: otomatis)",
+    en: "x₀, a number for each state (empty: automatic)",
+  },
+  first_P: {
+    id: "P₀, satu varians per keadaan, atau matriks (kosong: otomatis)",
+    en: "P₀, a variance for each state, or a matrix (empty: automatic)",
+  },
   second: { id: "Kolom kedua dari data", en: "The second column of the data" },
   bias: { id: "Bias kolom kedua", en: "Bias of the second column" },
   without_bias: { id: "tidak ada", en: "none" },

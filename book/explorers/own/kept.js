@@ -1,6 +1,6 @@
 // Recordings that the reader keeps: in this browser alone, the same for all chapters, the latest first.
 // Each is a CSV of its own; the list of them is short, for it is read often.
-import { fromCsv, toCsv } from "./recording.js";
+import { fromCsv, toCsv } from "../sensors/recording.js";
 
 const KEY = "kalman-motion";
 const MOST = 5;
@@ -19,9 +19,10 @@ export function keptRecordings() {
 export function keepRecording(motion, when) {
   const one = { when, seconds: Math.round(motion.t[motion.T - 1]) };
   const all = [one, ...keptRecordings()];
+  const text = toCsv(motion, "en");
   try {
     all.slice(MOST).forEach(remove);
-    localStorage.setItem(nameOf(one), toCsv(motion, "en"));
+    localStorage.setItem(nameOf(one), text);
     localStorage.setItem(KEY, JSON.stringify(all.slice(0, MOST)));
     return true;
   } catch {

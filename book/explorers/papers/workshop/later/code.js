@@ -1,10 +1,13 @@
 // The filter that was built as a program: with kalman_lib, or with filterpy. Both read the CSV of the page.
-import { gateLimit } from "./filter.js";
-import { GATE } from "./estimate.js";
-import { PATTERN, SECOND, continuous, hasBias, model } from "./model.js";
-import { CODE } from "./words.js";
+import { gateLimit } from "../filter.js";
+import { GATE } from "../estimate.js";
+import { PATTERN, SECOND, continuous, hasBias, modelOf } from "../model.js";
+import { CODE } from "../words.js";
 
 export const CSV_NAME = "workshop.csv";
+
+/** Does nothing; who calls it has this file at hand. */
+export function ready() {}
 
 // --- what both programs say --------------------------------------------------------------------------------
 
@@ -45,14 +48,21 @@ function dataLines({ data, p }, isTable) {
 
 /** H, R, x0 and P0. */
 function startLines({ made }) {
-  const { n, H, R, x0, P0 } = made;
-  const diagonal = Array.from({ length: n }, (_, i) => P0[i * n + i]);
+  const { n, H, R, x0 } = made;
   return [
     ...named("H", rowsOf(H, n)),
     `R = np.diag(${listCode(R)})`,
     `x0 = np.array(${listCode(Array.from(x0, asFloat))})`,
-    `P0 = np.diag(${listCode(diagonal)})`,
+    ...startingCovariance(made),
   ];
+}
+
+/** P0: its variances, or the whole matrix where states start together. */
+function startingCovariance({ n, P0 }) {
+  if (P0.some((value, at) => value !== 0 && at % (n + 1) !== 0)) {
+    return named("P0", rowsOf(P0, n));
+  }
+  return [`P0 = np.diag(${listCode(Array.from({ length: n }, (_, i) => asFloat(P0[i * (n + 1)])))})`];
 }
 
 /** NumPy makes whole numbers of "[0, 0]". */
@@ -62,7 +72,7 @@ function asFloat(value) {
 
 function aboutOf(r) {
   const { data, p } = r;
-  return { data, p, made: model(p, data.dt, data.F, data.H), gate: p.gate };
+  return { data, p, made: modelOf(p, data), gate: p.gate };
 }
 
 /** Of a model of the reader's own: F and Q of every step. */

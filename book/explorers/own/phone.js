@@ -1,14 +1,73 @@
 // The control of a phone's sensors: live, kept, replayed, handed on. A paper puts sensorControl({name})
 // among its controls; s[name] is null, or a motion (recording.js) that grows while it is live. What it
-// needs of the page it gets from element/controls.js: {make, makeButton, saveFile, setText}.
+// needs of the page it gets from element/controls.js: {make, makeButton, safely, saveFile, setText}. What
+// listens to the sensors comes from sensors/ with the first tap.
 import { InputError } from "../language/input.js";
+import { whenThere } from "../language/later.js";
+import { liveOf } from "../sensors/live.js";
+import { rateOf, toCsv } from "../sensors/recording.js";
 import { forgetRecordings, keepRecording, keptRecordings, replayed } from "./kept.js";
-import { Live, take } from "./live.js";
-import { rateOf, toCsv } from "./recording.js";
-import { REFUSED, SENSORS, STATUS } from "./words.js";
+import { SENSORS, STATUS } from "./words.js";
 
 const LONGEST = 120; // s
 const MINUTE = 60000; // ms
+
+/** Put a motion that is complete, or none, into the state. */
+function take(explorer, { name, also }, motion) {
+  explorer.change({ [name]: motion, ...also?.(motion, explorer.s) });
+}
+
+/** The readings of one control: isOn, isAsking, start(), end(), follow(). */
+class Readings {
+  constructor(explorer, control) {
+    this.explorer = explorer;
+    this.control = control;
+    this.live = null; // what listens, from the first tap on
+    this.isComing = false;
+  }
+
+  get isOn() {
+    return Boolean(this.live?.isOn);
+  }
+
+  get isAsking() {
+    return this.isComing || Boolean(this.live?.isAsking);
+  }
+
+  /** The permission is asked in the tap itself: iOS shows its question only then. */
+  async start() {
+    if (this.isComing) {
+      return;
+    }
+    const allowed = askPermission();
+    this.isComing = true;
+    this.explorer.showControls();
+    try {
+      this.live ??= await whenThere(() => liveOf(this.explorer, this.control, take));
+    } finally {
+      this.isComing = false;
+      this.explorer.showControls();
+    }
+    await this.live.start(allowed);
+  }
+
+  follow() {
+    this.live?.follow();
+  }
+
+  end() {
+    this.live?.end();
+  }
+}
+
+/** One question for both events; where there is no such function, nothing needs to be asked. */
+function askPermission() {
+  const asked = ["DeviceMotionEvent", "DeviceOrientationEvent"].map((name) => {
+    const event = window[name];
+    return event?.requestPermission ? event.requestPermission() : "granted";
+  });
+  return Promise.allSettled(asked);
+}
 
 /**
  * seconds: how long a recording may become; also(motion or null, s) -> {name: value}: what else changes when
@@ -20,9 +79,9 @@ export function sensorControl({ name, seconds = LONGEST, ...more }) {
 
 function buildSensor(explorer, control, tools) {
   const { make, setText } = tools;
-  const live = new Live(explorer, control);
+  const live = new Readings(explorer, control);
   const buttons = buttonsOf(explorer, control, tools, live);
-  const list = keptList(explorer, control, make);
+  const list = keptList(explorer, control, tools);
   const status = make("p", { className: "explorer-hint" });
   const name = make("span", { className: "explorer-name", textContent: explorer.t.say(control) });
   const elements = buttons.map(({ element }) => element);
@@ -87,7 +146,7 @@ function fileOf(motion, { language }) {
 
 function keep(explorer, motion) {
   if (!keepRecording(motion, localTime())) {
-    throw new InputError(REFUSED.full);
+    throw new InputError(SENSORS.full);
   }
   explorer.showControls();
 }
@@ -98,17 +157,18 @@ function forget(explorer) {
 }
 
 /** The recordings that are kept; the one that the reader chooses is replayed. */
-function keptList(explorer, control, make) {
+function keptList(explorer, control, { make, safely }) {
   const { t } = explorer;
   const id = `${explorer.id}-${control.name}-kept`;
   const box = make("select", { id });
   const element = make("div", {}, make("label", { htmlFor: id, textContent: t.say(SENSORS.kept) }), box);
-  box.addEventListener("change", () => {
+  const replay = () => {
     const motion = replayed(box.value);
     if (motion) {
       take(explorer, control, motion);
     }
-  });
+  };
+  box.addEventListener("change", () => safely(explorer, replay));
   let shown = "";
   const show = () => {
     const kept = keptRecordings();

@@ -1,9 +1,9 @@
 // A scalar filter of the workshop as an .xlsx with live formulas, one row a step.
-import { COLUMN, DATA, GAIN, INPUT, LABEL, PLAIN, POWER, RESULT, TITLE, VALUE } from "../../files/xlsx.js";
-import { formula, number, text, workbook } from "../../files/xlsx.js";
-import { gateLimit } from "./filter.js";
-import { GATE } from "./estimate.js";
-import { PATTERN } from "./model.js";
+import { COLUMN, DATA, GAIN, INPUT, LABEL, PLAIN, POWER, RESULT, TITLE, VALUE } from "../../../files/xlsx.js";
+import { formula, number, text, workbook } from "../../../files/xlsx.js";
+import { gateLimit } from "../filter.js";
+import { GATE } from "../estimate.js";
+import { PATTERN, modelOf } from "../model.js";
 
 const FIRST = 7; // the first row of the table
 const HEIGHTS = { 3: 50, 6: 50 }; // points
@@ -49,11 +49,12 @@ function texts(words, row, letters, look) {
 }
 
 function topRows({ p, data }) {
+  const { x0, P0 } = modelOf(p, data);
   const settings = [
     number("B4", p.pattern === PATTERN.CONSTANT ? 0 : p.q, INPUT),
     number("C4", p.R, INPUT),
-    number("D4", data.x0, INPUT),
-    number("E4", data.P0, INPUT),
+    number("D4", x0[0], INPUT),
+    number("E4", P0[0], INPUT),
     number("F4", p.gate ? gateLimit(GATE) : NaN, INPUT),
   ];
   const instruction =

@@ -1,14 +1,15 @@
 // Data of the reader's own in an explorer: the controls with which it is brought and read, and the table that
 // it is. A view adds `ownControls` to its own; `broughtTable(s)` reads what the state holds.
+import { readTable } from "../files/table.js";
+import { opened } from "../files/workbook.js";
 import { InputError, number } from "../language/input.js";
+import { NotYet } from "../language/later.js";
 import { inBoth } from "../language/speaker.js";
-import { readTable } from "./table.js";
 import { OWN } from "./words.js";
-import { opened } from "./workbook.js";
 
 const LARGEST_FILE = 80000000; // bytes
 const LONGEST_QUOTE = 40; // letters
-const ACCEPTED = ".csv,.txt,.tsv,.dat,.xlsx";
+const ACCEPTED = ".csv,.txt,.tsv,.dat,.xlsx,.zip";
 
 /** Where these controls begin; what was chosen of one table is not asked of the next. */
 const AS_FOUND = { sheet: "", missing: "auto", time: "", value: "" };
@@ -24,7 +25,8 @@ let last = { key: [], table: null, error: null }; // what was read last: control
 export function broughtTable(s) {
   const key = [s.text, s.file, s.sheet, s.sign, s.missing];
   if (!key.every((value, i) => value === last.key[i])) {
-    last = { key, table: null, error: null, ...tried(s) };
+    const read = tried(s);
+    last = { key, table: null, error: null, ...read };
   }
   if (last.error) {
     throw last.error;
@@ -41,6 +43,9 @@ function tried({ text, file, sheet, sign, missing }) {
   try {
     return { table: readTable({ text, file }, options) };
   } catch (error) {
+    if (error instanceof NotYet) {
+      throw error; // what reads it is on its way
+    }
     return { error };
   }
 }
