@@ -30,6 +30,7 @@ NOT_FOR_READERS = (
     "*.ttf",
     "*.LICENSE.txt",
     "*webpack-macros.html",
+    "bootstrap.js",
     "fontawesome.js",
     ".buildinfo*",
     "reports",
