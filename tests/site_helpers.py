@@ -1,14 +1,24 @@
 """The built book in a browser: how a page is opened, and what is noted about it."""
 
+import functools
+import gzip
 import html.parser
 from pathlib import Path
+
+from weigh import PACKED
 
 ROOT = Path(__file__).resolve().parent.parent
 WITHOUT_LANGUAGE = {"404.html", "unkept.html"}
 AXE = ROOT / "book" / "node_modules" / "axe-core" / "axe.min.js"
 LANGUAGES = {"id": "en", "en": "id"}  # each with the other one
 PHONE = {"width": 390, "height": 844}
-THEMES = {"light": None, "dark": {"type": "tag", "values": ["cat.color"]}}
+WIDE = {"width": 1280, "height": 900}
+VIEWS = {"phone, light": (PHONE, "light"), "laptop, dark": (WIDE, "dark")}
+# Rules that axe-core leaves out by itself; in the dark every contrast is the higher one, too
+RULES = {
+    "light": ["label-content-name-mismatch"],
+    "dark": ["label-content-name-mismatch", "color-contrast-enhanced"],
+}
 
 # What a page says outside its prose; a letter alone (σ, w, "m = 1") is a symbol, no word
 CHROME_TEXTS = r"""() => {
@@ -36,17 +46,58 @@ IMAGES = """() => [...document.images].map(image => ({
   src: image.getAttribute('src').slice(0, 80),
   decorative: image.closest('[aria-hidden=true], [role=presentation]') !== null,
 }))"""
+# What a screen reader stumbles over: headings out of order, tables without heads, silent equations
+ORDER = r"""() => {
+  const wrong = [];
+  const levelOf = heading => Number(heading.ariaLevel || heading.tagName[1]);
+  const anyHeading = ':is(article, .slides) :is(h1, h2, h3, h4, h5, h6)';
+  const headings = [...document.querySelectorAll(anyHeading)];
+  headings.reduce((above, heading) => {
+    if (levelOf(heading) > above + 1) wrong.push(`h${above} above: ${heading.textContent}`);
+    return levelOf(heading);
+  }, 0);
+  if (headings.filter(heading => levelOf(heading) === 1).length !== 1) wrong.push('not one h1');
+  const filled = [...document.querySelectorAll('table')].filter(table => table.rows.length);
+  for (const table of filled) {
+    const heads = [...table.querySelectorAll('th')];
+    if (!heads.length || !heads.every(head => head.textContent.trim())) {
+      wrong.push(`table: ${table.textContent.trim().slice(0, 40)}`);
+    }
+  }
+  for (const equation of document.querySelectorAll('.katex')) {
+    const spoken = equation.querySelector('.katex-mathml > math');
+    const shown = equation.querySelector('.katex-html[aria-hidden=true]');
+    const isHidden = equation.closest('[aria-hidden=true]');
+    if (!spoken || !shown || isHidden || getComputedStyle(spoken).display === 'none') {
+      wrong.push(`equation: ${equation.textContent.slice(0, 40)}`);
+    }
+  }
+  return wrong;
+}"""
+# The addresses of whatever the page needs until it stands still. Fonts are those in use: where the
+# page before has the same style sheet, the browser notes the fonts of that one, too.
+FETCHED = """() => document.fonts.ready.then(() => {
+  const noted = performance.getEntriesByType('resource').map(entry => entry.name);
+  const isFace = rule => rule instanceof CSSFontFaceRule;
+  const sheets = [...document.styleSheets];
+  const rules = sheets.flatMap(sheet => [...sheet.cssRules].filter(isFace).map(rule =>
+    new URL(rule.style.getPropertyValue('src').match(/url\\("?([^")]+)/)[1], sheet.href).href));
+  const inUse = [...document.fonts].map((face, i) => face.status === 'loaded' && rules[i]);
+  const others = noted.filter(address => !address.endsWith('.woff2'));
+  return [location.href, ...others, ...inUse.filter(Boolean)];
+})"""
 # Thousands of parts that are all alike are slow to check
 SIMPLIFY = """() => {
   document.querySelectorAll('.katex').forEach(part => part.textContent = 'x');
   const code = [...document.querySelectorAll('.highlight')];
   code.slice(5).forEach(part => part.textContent = 'x');
 }"""
-VIOLATIONS = """rules => axe
-  .run({resultTypes: ['violations'], ...rules && {runOnly: rules}})
-  .then(result => result.violations.map(found => ({
-    rule: found.id, impact: found.impact, nodes: found.nodes.map(node => node.target.join(' ')),
-  })))"""
+VIOLATIONS = """([within, rules]) => axe
+  .run(within || document, {resultTypes: ['violations'],
+    rules: Object.fromEntries(rules.map(rule => [rule, {enabled: true}]))})
+  .then(result => result.violations.map(found => [
+    found.id, ...found.nodes.slice(0, 4).map(node => node.target.join(' ')),
+  ]))"""
 
 
 class Reader(html.parser.HTMLParser):
@@ -130,17 +181,38 @@ def visit(page, path, scheme, address, trouble):
 
 
 def contents(page):
-    """Language, title, pictures and chrome of the page, and what axe-core finds in both themes."""
+    """Language, title, pictures, chrome and order of the page, what it fetched on a phone, and what
+    axe-core finds in both views."""
     entry = {
         "lang": page.evaluate("document.documentElement.lang"),
         "title": page.title(),
         "images": page.evaluate(IMAGES),
         "chrome": page.evaluate(CHROME_TEXTS),
-        "axe": {},
+        "order": page.evaluate(ORDER),
+        "fetched": page.evaluate(FETCHED),
     }
-    page.evaluate(AXE.read_text(encoding="utf-8"))
     page.evaluate(SIMPLIFY)
-    for theme, rules in THEMES.items():
-        page.evaluate("theme => { document.documentElement.dataset.theme = theme }", theme)
-        entry["axe"][theme] = page.evaluate(VIOLATIONS, rules)
+    entry["axe"] = {view: violations(page, *look) for view, look in VIEWS.items()}
+    page.set_viewport_size(PHONE)
     return entry
+
+
+def violations(page, size, theme, within=None):
+    """What axe-core finds on a page that is open; within: a part of it."""
+    page.set_viewport_size(size)
+    page.evaluate("theme => { document.documentElement.dataset.theme = theme }", theme)
+    if not page.evaluate("'axe' in window"):
+        page.evaluate(AXE.read_text(encoding="utf-8"))
+    return page.evaluate(VIOLATIONS, [within, RULES[theme]])
+
+
+def weight(site, server, addresses):
+    """Bytes of these addresses as a host sends them, without what each answer says of itself."""
+    inside = {address.partition("?")[0] for address in addresses if address.startswith(server)}
+    return sum(packed_size(site / address.removeprefix(f"{server}/")) for address in inside)
+
+
+@functools.cache
+def packed_size(path):
+    content = path.read_bytes()
+    return len(gzip.compress(content, 9) if path.suffix in PACKED else content)

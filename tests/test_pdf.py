@@ -10,6 +10,9 @@ from conftest import ROOT, need_program
 sys.path.insert(0, str(ROOT / "book" / "_make"))
 
 import whole
+from edition import edition
+
+DAY = edition()["date"]
 
 
 @pytest.fixture(scope="module", params=["id", "en"])
@@ -65,6 +68,8 @@ def test_a_page_is_printed_tagged_with_an_outline(site, tmp_path):
     with pikepdf.open(tmp_path / "one.pdf") as printed:
         assert 5 < len(printed.pages) < 30
         assert printed.Root.MarkInfo.Marked and printed.Root.StructTreeRoot is not None
+        day = DAY.replace("-", "")  # of the edition: the same source, the same bytes
+        assert {str(printed.docinfo[made])[2:10] for made in ("/CreationDate", "/ModDate")} == {day}
         with printed.open_outline() as outline:
             titles = [item.title for item in outline.root]
         assert any("Theory" in title for title in titles)

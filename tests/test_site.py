@@ -4,15 +4,13 @@ Pages are found in _build/site, none is listed here. One walk over all of them (
 collects what most tests then look at."""
 
 import pytest
-from site_helpers import LANGUAGES, PHONE, note_trouble, pages_of, twin, visit
+from site_helpers import LANGUAGES, PHONE, note_trouble, pages_of, twin, visit, weight
+from weigh import CHAPTER, TEXT
 
 # Texts of the chrome that are the same in both languages on purpose.
 SAME_TEXT = {"Kalman", "Ctrl", "Model", "RMSE", "Jacobian", "Hessian"}
 SAME_TEXT |= {"paper"}  # the name of a method in the code
 SAME_TEXT |= {"1 Data"}  # of the workshop: the same word
-
-# What axe-core may find: {rule: [(start of the element's selector, reason), ...]}
-ALLOWED_AXE = {}
 
 
 @pytest.fixture(scope="module")
@@ -157,17 +155,26 @@ def test_no_english_in_the_chrome_of_the_indonesian_pages(pages):
     assert left == {}
 
 
-def test_accessibility(pages):
-    problems = []
+def test_axe_finds_nothing_on_a_phone_and_on_a_laptop(pages):
+    found = {
+        (name, view): violations
+        for name, entry in pages.items()
+        for view, violations in entry["axe"].items()
+        if violations
+    }
+    assert len(pages) > 50 and found == {}
+
+
+def test_headings_tables_and_equations_can_be_read_aloud(pages):
+    assert {name: entry["order"] for name, entry in pages.items() if entry["order"]} == {}
+
+
+def test_every_page_is_light(pages, site, server):
+    """What test_light.py measures on the way, here by the files that each page asks for."""
+    heavy = {}
     for name, entry in pages.items():
-        for theme, violations in entry["axe"].items():
-            for violation in violations:
-                allowed = tuple(start for start, reason in ALLOWED_AXE.get(violation["rule"], []))
-                nodes = [
-                    node
-                    for node in violation["nodes"]
-                    if not (allowed and node.startswith(allowed))
-                ]
-                if violation["impact"] in ("serious", "critical") and nodes:
-                    problems.append((name, theme, violation["rule"], nodes[:4]))
-    assert problems == []
+        size = weight(site, server, entry["fetched"])
+        is_text = "/book/" in name  # a search needs its index, slides and chapters their explorers
+        if not 40_000 < size <= (TEXT if is_text else CHAPTER):
+            heavy[name] = size
+    assert heavy == {}

@@ -232,3 +232,25 @@ def test_the_zip_holds_what_is_needed_to_run_the_chapters(name, site):
     wanted = {path.relative_to(ROOT).as_posix() for path in (ROOT / "notebooks").glob("*.ipynb")}
     wanted |= {path.relative_to(ROOT).as_posix() for path in (ROOT / "kalman_lib").rglob("*.py")}
     assert wanted | {"requirements.txt", "requirements.lock", "pyproject.toml"} <= names
+
+
+@pytest.mark.parametrize("width", [1280, 390, 320])
+def test_the_menu_of_downloads(width, server, chromium):
+    page = chromium.new_page(viewport={"width": width, "height": 700})
+    page.goto(f"{server}/id/notebooks/01_theory.html")
+    button, menu = page.locator("button.dropdown-toggle"), page.locator(".dropdown-menu")
+    assert not menu.is_visible() and button.get_attribute("aria-expanded") == "false"
+    button.click()
+    assert button.get_attribute("aria-expanded") == "true"
+    box = menu.bounding_box()
+    assert box["x"] >= 0 and box["x"] + box["width"] <= width
+    page.mouse.click(width / 2, 650)
+    assert not menu.is_visible()
+    button.press("Enter")
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.matches('.dropdown-menu a[href$=ipynb]')")
+    page.keyboard.press("Escape")
+    assert not menu.is_visible() and page.evaluate(
+        "document.activeElement.matches('button.dropdown-toggle[aria-expanded=false]')"
+    )
+    page.close()

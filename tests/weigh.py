@@ -10,6 +10,7 @@ from pathlib import Path
 PHONE = dict(
     viewport={"width": 390, "height": 844}, is_mobile=True, has_touch=True, device_scale_factor=2
 )
+TEXT, CHAPTER = 180_000, 320_000  # bytes at the first view of a page, packed
 PACKED = (".html", ".css", ".js", ".svg", ".webmanifest")
 SHIFTS = """
   window.shifted = 0;

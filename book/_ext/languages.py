@@ -41,6 +41,8 @@ MENDED = {
     # docutils: a list without list items
     '<div role="list" class="citation-list">': '<div class="citation-list">',
     ' role="doc-biblioentry"': "",
+    # docutils: the corner of a table heads nothing
+    '<th class="head"><p></p></th>': "<td></td>",
 }
 HINT = {
     "id": "*Untuk menjalankan buku catatan ini diperlukan `kalman_lib` dan folder `data`. "

@@ -1,5 +1,6 @@
 """Puts the finished pages of both languages into _build/site, with what readers take home."""
 
+import io
 import json
 import re
 import shutil
@@ -13,6 +14,7 @@ import light
 import mend
 import policy
 import slides
+import steady
 import texts
 import yaml
 from edition import edition
@@ -31,6 +33,7 @@ NOT_FOR_READERS = (
     "*.ttf",
     "*.LICENSE.txt",
     "*webpack-macros.html",
+    "bootstrap.js",
     "fontawesome.js",
     ".buildinfo*",
     "reports",
@@ -95,7 +98,9 @@ def write_workbook(path):
     from kalman_lib import data
     from kalman_lib.papers import smoother
 
-    data.write_workbook(path, smoother.MEASURED, Q=1e-5, R=1e-5, x0=0, P0=1)
+    made = io.BytesIO()
+    data.write_workbook(made, smoother.MEASURED, Q=1e-5, R=1e-5, x0=0, P0=1)
+    path.write_bytes(steady.without_the_minute(made.getvalue()))
 
 
 def write_zip(language, path):
@@ -104,21 +109,21 @@ def write_zip(language, path):
     That is the notebooks in one language, their data, kalman_lib and the requirements.
     """
     top = path.stem
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
-        archive.writestr(f"{top}/README.md", readme(language))
+    with zipfile.ZipFile(path, "w") as archive:
+        steady.add(archive, f"{top}/README.md", readme(language))
         for file in zipped_files():
-            archive.write(file, f"{top}/{file.relative_to(ROOT).as_posix()}")
+            steady.add(archive, f"{top}/{file.relative_to(ROOT).as_posix()}", file.read_bytes())
         workbook = path.parent / "kalman.xlsx"  # chapter 2 links to it
-        archive.write(workbook, f"{top}/kalman.xlsx")
+        steady.add(archive, f"{top}/kalman.xlsx", workbook.read_bytes())
         whole = path.with_suffix(".pdf")
         if whole.exists():
-            archive.write(whole, f"{top}/{whole.name}")
+            steady.add(archive, f"{top}/{whole.name}", whole.read_bytes())
         for source in sorted((ROOT / "notebooks").glob("*.ipynb")):
             notebook = json.loads(source.read_text(encoding="utf-8"))
             content = texts.download_notebook(notebook, language, has_solutions=has_solutions())
             lead_to_the_site(content, language)
             text = json.dumps(content, indent=1, ensure_ascii=False)
-            archive.writestr(f"{top}/notebooks/{source.name}", text)
+            steady.add(archive, f"{top}/notebooks/{source.name}", text)
 
 
 def readme(language):

@@ -34,6 +34,11 @@ WORKS_ON = {  # script: what the pages hold that it works on
 }
 REGULAR = 400
 WEIGHTS = (REGULAR, 700)  # of upright letters; bold italic ones are rare: the browser makes them
+WRITTEN = re.compile(r'<span class="([^"]*)"[^>]*>([^<]+)')
+RARE = {  # fonts for a few letters of equations: the classes of these letters
+    "KaTeX_SansSerif": {"mathsf", "textsf"},
+    "KaTeX_Caligraphic": {"mathcal"},
+}
 UNUSED = (
     "_static/locales",
     "_static/images",
@@ -172,10 +177,10 @@ def shrink_fonts(folder):
     """Only the letters that pages and scripts hold, only the weights that are used; a font that the
     style sheet does not name goes. A letter that only a reader types comes from his own fonts."""
     css = (folder / SHEET).read_text(encoding="utf-8")
-    letters = letters_of(folder)
+    letters, rare = letters_of(folder), rare_letters_of(folder)
     for path in sorted((folder / "_static").rglob("*.woff2")):
         if path.name in css:
-            shrink_font(path, letters)
+            shrink_font(path, rare.get(path.name.partition("-")[0], letters))
         else:
             path.unlink()
 
@@ -185,6 +190,16 @@ def letters_of(folder):
     for script in (folder / "_static").rglob("*.js"):
         shown |= set(script.read_text(encoding="utf-8"))
     return sorted(map(ord, shown))
+
+
+def rare_letters_of(folder):
+    """{font: the letters that the equations of all pages take from it}"""
+    used = {font: set() for font in RARE}
+    for classes, text in WRITTEN.findall(text_of_all(folder)):
+        for font, kinds in RARE.items():
+            if kinds & set(classes.split()):
+                used[font] |= set(html.unescape(text))
+    return {font: sorted(map(ord, letters)) for font, letters in used.items()}
 
 
 def shrink_font(path, letters):

@@ -11,8 +11,10 @@ VIEWPORT = re.compile(r'(<meta name="viewport"[^>]*>)\s*<meta name="viewport"[^>
 SEARCH = re.compile(r'(<button class="btn search-button-field[^>]*?)\s+aria-label="[^"]*"')
 BRANCH = re.compile(r'<summary>(?=<span class="toctree-toggle")')
 LOGO = re.compile(r'<div class="sidebar-primary-item">(?=\s*<a class="navbar-brand)')
+# Bootstrap's script is left out: what a browser shows for a title is enough
+BOOTSTRAP = re.compile(r'\s+data-bs-(?:placement|toggle)="[^"]*"')
 SKIP = 'href="#main-content"'
-ARTICLE = '<article class="bd-article">'
+CONTENT = re.compile('(<article class="bd-article"|<div class="bd-search-container")>')
 WORDS = {
     "id": {"branch": "Halaman di bawahnya", "book": "Buku"},
     "en": {"branch": "Pages below", "book": "Book"},
@@ -30,7 +32,8 @@ def mended(text, words):
     text = BRANCH.sub(f'<summary aria-label="{words["branch"]}">', text)
     logo = f'<div class="sidebar-primary-item" role="navigation" aria-label="{words["book"]}">'
     text = LOGO.sub(logo, text)
-    if ARTICLE in text:  # the skip link passes the toolbar, too
+    text = BOOTSTRAP.sub("", text.replace("data-bs-title=", "title="))
+    if CONTENT.search(text):  # the skip link passes the toolbar, too
         text = text.replace(SKIP, 'href="#text"')
-        text = text.replace(ARTICLE, '<article class="bd-article" id="text" tabindex="-1">')
+        text = CONTENT.sub(r'\1 id="text" tabindex="-1">', text, count=1)
     return text

@@ -11,6 +11,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "_ext")]
 import assemble  # noqa: E402
+import steady  # noqa: E402
 from places import SITE  # noqa: E402
 from whole import write_whole  # noqa: E402
 
@@ -61,12 +62,16 @@ def print_pdf(chromium, document, target):
 
 
 def pack(path):
-    """Chromium leaves the many small parts of a tagged document as they are."""
+    """Chromium leaves the many small parts of a tagged document as they are, and notes the minute
+    in which it made them."""
     import pikepdf
 
     with pikepdf.open(path, allow_overwriting_input=True) as document:
+        for made in ("/CreationDate", "/ModDate"):
+            document.docinfo[made] = f"D:{steady.date():%Y%m%d}000000Z"
         document.save(
             path,
+            deterministic_id=True,
             object_stream_mode=pikepdf.ObjectStreamMode.generate,
             recompress_flate=True,
         )

@@ -36,6 +36,7 @@ NOT_ON_PAPER = (
 # The exercises stand in their chapters; what is for lecturers leads to live figures
 LEFT_OUT = {"book/exercises", "book/teaching"}
 TALL = 0.8  # height by width: panels above each other
+LONG = 12  # rows: a table that may go on on the next page
 
 
 def pages_in_order():
@@ -107,6 +108,9 @@ class Page:
                 link.unwrap()
             else:
                 link["href"] = address
+        for table in self.article.find_all("table"):
+            if len(table.find_all("tr")) > LONG:
+                table["class"] = [*table.get("class", []), "long"]
         for picture in self.article.find_all("img", src=True):
             picture["src"] = self.place(picture["src"])
             picture["loading"] = "eager"
@@ -134,7 +138,9 @@ class Page:
 
 
 def sheet_of(solutions, words):
-    worked = "".join(f"<p><b>{html.escape(name)}</b></p>{answer}" for name, answer in solutions)
+    worked = "".join(
+        f'<p class="solution"><b>{html.escape(name)}</b></p>{answer}' for name, answer in solutions
+    )
     return (
         f'<section class="page" id="solutions"><article class="bd-article">'
         f"<h1>{words['solutions']}</h1>{worked}</article></section>"

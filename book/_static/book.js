@@ -122,6 +122,28 @@
     }
   }
 
+  /** The menu of downloads: a tap opens it, a tap elsewhere, Escape or leaving it closes it. */
+  function prepareMenu(button) {
+    const menu = button.nextElementSibling;
+    const show = (isOpen) => {
+      menu.classList.toggle("show", isOpen);
+      button.setAttribute("aria-expanded", isOpen);
+    };
+    button.addEventListener("click", () => show(!menu.classList.contains("show")));
+    document.addEventListener("click", (event) => button.parentElement.contains(event.target) || show(false));
+    button.parentElement.addEventListener("focusout", ({ relatedTarget }) => {
+      if (relatedTarget && !button.parentElement.contains(relatedTarget)) {
+        show(false);
+      }
+    });
+    button.parentElement.addEventListener("keydown", (event) => {
+      if (event.key === "Escape" && menu.classList.contains("show")) {
+        show(false);
+        button.focus();
+      }
+    });
+  }
+
   rememberLanguage();
   if (document.documentElement.lang === "id" && typeof messages !== "undefined") {
     translateCopyButton();
@@ -132,6 +154,7 @@
     for (const button of document.querySelectorAll("button.toggle-button")) {
       button.setAttribute("aria-label", toggleHintShow);
     }
+    document.querySelectorAll("button.dropdown-toggle").forEach(prepareMenu);
     foldCode();
     nameThisSite();
     preparePrinting();
