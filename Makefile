@@ -47,7 +47,7 @@ bench: $(BUNDLE) ## time filters and explorers, in Jupyter and in the page; peer
 explorers: $(BUNDLE) ## make what kalman_lib.explorer and .exercises show in a notebook
 
 wheel: $(BUNDLE) ## make a wheel of kalman_lib with explorers and exercises: _build/wheel
-	$(PY) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir _build/wheel .
+	$(PY) book/_make/wheel.py
 
 release: pdf wheel ## what a release hands over: archives and PDFs of both languages and the wheel, in _build/release
 	rm -rf _build/release && mkdir -p _build/release

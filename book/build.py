@@ -28,6 +28,7 @@ from pathlib import Path
 WITHOUT_GRAMMAR = "import sys; sys.modules['rfc3987_syntax'] = None; "
 sys.modules["rfc3987_syntax"] = None
 
+SOURCES = ("book", "notebooks", "_config.yml", "_toc.yml", "pyproject.toml", "LICENSE")
 REFERENCES = "book/references"  # the page with the bibliography
 BOOK = Path(__file__).resolve().parent
 sys.path[:0] = [str(BOOK / "_make"), str(BOOK / "_ext")]
@@ -126,7 +127,7 @@ def build():
     offline.install()
     explorers.for_notebooks()  # for the notebooks that run here, and for the readers' archive
     code = fingerprint(ROOT / "kalman_lib", ROOT / "notebooks" / "data", ROOT / "requirements.lock")
-    sources = [ROOT / name for name in ("book", "notebooks", "_config.yml", "_toc.yml")]
+    sources = [ROOT / name for name in SOURCES]
     everything = code + fingerprint(*sources)
     site_mark, frame_mark = BUILD / "built-from", BUILD / "built-around"
     if (SITE / "index.html").exists() and not is_new(site_mark, everything):

@@ -9,11 +9,11 @@ import re
 from pathlib import Path
 
 from docutils import nodes
+from downloads import download_notebook
 from sphinx.util import logging
 from texts import (
     LANGUAGES,
     choose,
-    download_notebook,
     filter_markdown,
     filter_notebook,
     headings,
@@ -40,13 +40,6 @@ MENDED = {
     # docutils: a list without list items
     '<div role="list" class="citation-list">': '<div class="citation-list">',
     ' role="doc-biblioentry"': "",
-}
-HINT = {
-    "id": "*Untuk menjalankan buku catatan ini diperlukan `kalman_lib` dan folder `data`. "
-    "Keduanya ada, bersama perintah pemasangannya, dalam arsip lengkap di halaman "
-    "“Cara memakai buku ini”.*",
-    "en": "*To run this notebook, `kalman_lib` and the folder `data` are needed. Both are, with "
-    "the commands to install them, in the complete archive on the page “How to use this book”.*",
 }
 HIDDEN_CELL = r'<div class="cell tag_hide-cell[^>]*>\s*<details[^>]*>\s*<summary>\s*'
 PROMPTS = re.compile(rf"({HIDDEN_CELL}<p[^>]*>)[^<]*(</p>\s*<p[^>]*>)[^<]*")
@@ -173,14 +166,15 @@ def write_downloads(app, exception):
         source = Path(app.env.doc2path(docname))
         copy = Path(app.outdir, "_sources", docname).with_name(source.name)
         if copy.exists():
-            copy.write_text(text_to_download(source, app.config.language), encoding="utf-8")
+            text = text_to_download(source, app.config.language, app.config.book_edition)
+            copy.write_text(text, encoding="utf-8")
 
 
-def text_to_download(source, language):
+def text_to_download(source, language, edition):
     text = source.read_text(encoding="utf-8")
     if source.suffix != ".ipynb":
         return filter_markdown(text, language)
-    notebook = download_notebook(json.loads(text), language, HINT[language])
+    notebook = download_notebook(json.loads(text), language, source.name, edition)
     return json.dumps(notebook, indent=1, ensure_ascii=False)
 
 

@@ -13,14 +13,16 @@ import mend
 import slides
 import texts
 import yaml
+from downloads import download_notebook
 from edition import edition
 from pages import change_all, text_of_all
 from places import BUILD, ROOT, SITE
+from wheel import write_wheel
 
 ZIP_NAMES = {"id": "filter-kalman", "en": "kalman-filter"}
 ZIPPED_FOLDERS = ("notebooks/data", "kalman_lib")
-ZIPPED_FILES = ("requirements.txt", "requirements.lock", "pyproject.toml", "LICENSE")
-BOOK_LINK = re.compile(r"\[([^\[\]]*)\]\(\.\./book/([\w-]+)\.md(#[\w-]+)?\)")
+ZIPPED_FILES = ("requirements.txt", "pyproject.toml", "LICENSE")
+DATA = ROOT / "notebooks" / "data"
 PDFS = BUILD / "pdf"
 PDF_LINK = re.compile(r'\s*· <a class="whole-pdf"[^>]*>[^<]*</a>')
 NOT_FOR_READERS = (
@@ -41,6 +43,7 @@ def assemble(outputs):
     toc = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))
     page = f"{toc['root']}.html"
     shutil.rmtree(SITE, ignore_errors=True)
+    wheel = write_wheel()
     for language, output in outputs.items():
         folder = SITE / language
         shutil.copytree(output, folder, ignore=shutil.ignore_patterns(*NOT_FOR_READERS))
@@ -50,7 +53,9 @@ def assemble(outputs):
         slides.write_slides(language)
         take_pdf(folder, f"{ZIP_NAMES[language]}.pdf")
         write_workbook(folder / "kalman.xlsx")
-        write_zip(language, folder / f"{ZIP_NAMES[language]}.zip")
+        shutil.copy(wheel, folder)
+        shutil.copytree(DATA, folder / "_sources" / "notebooks" / "data")  # notebooks ask for it
+        write_zip(language, folder / f"{ZIP_NAMES[language]}.zip", wheel)
         kept.write_language(language, page)
     choose = kept.filled("choose.html", page=page, **edition()["title"])
     (SITE / "index.html").write_text(choose, encoding="utf-8")
@@ -89,16 +94,20 @@ def write_workbook(path):
     data.write_workbook(path, smoother.MEASURED, Q=1e-5, R=1e-5, x0=0, P0=1)
 
 
-def write_zip(language, path):
+def write_zip(language, path, wheel):
     """What a reader needs to run the chapters.
 
-    That is the notebooks in one language, their data, kalman_lib and the requirements.
+    That is the notebooks in one language, their data, kalman_lib and the requirements; and the
+    wheel beside the notebooks, for whoever opens one with a Python of his own.
     """
     top = path.stem
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr(f"{top}/README.md", readme(language))
         for file in zipped_files():
             archive.write(file, f"{top}/{file.relative_to(ROOT).as_posix()}")
+        lock = without_hashes(ROOT / "requirements.lock")
+        archive.writestr(f"{top}/requirements.lock", lock)
+        archive.write(wheel, f"{top}/notebooks/{wheel.name}")
         workbook = path.parent / "kalman.xlsx"  # chapter 2 links to it
         archive.write(workbook, f"{top}/kalman.xlsx")
         whole = path.with_suffix(".pdf")
@@ -106,8 +115,7 @@ def write_zip(language, path):
             archive.write(whole, f"{top}/{whole.name}")
         for source in sorted((ROOT / "notebooks").glob("*.ipynb")):
             notebook = json.loads(source.read_text(encoding="utf-8"))
-            content = texts.download_notebook(notebook, language)
-            lead_to_the_site(content, language)
+            content = download_notebook(notebook, language, source.name, edition(), "beside")
             text = json.dumps(content, indent=1, ensure_ascii=False)
             archive.writestr(f"{top}/notebooks/{source.name}", text)
 
@@ -123,14 +131,10 @@ def readme(language):
     return "\n".join(mine) + "\n"
 
 
-def lead_to_the_site(notebook, language):
-    """Pages that are no notebooks are not in the archive: a link leads to the site, if its address
-    is known, else the words alone stay."""
-    address = edition()["address"].rstrip("/")
-    page = rf"[\1]({address}/{language}/book/\2.html\3)" if address else r"\1"
-    for cell in notebook["cells"]:
-        if cell["cell_type"] == "markdown":
-            cell["source"] = BOOK_LINK.sub(page, "".join(cell["source"]))
+def without_hashes(lock):
+    """The versions of a lock: beside hashes pip would refuse the folder of the package."""
+    lines = lock.read_text(encoding="utf-8").splitlines()
+    return "\n".join(line.removesuffix(" \\") for line in lines if "--hash" not in line) + "\n"
 
 
 def zipped_files():
