@@ -16,11 +16,21 @@ sys.path.insert(0, str(ROOT / "book" / "_make"))
 
 import wheel as wheels
 from downloads import download_notebook
-from first_cell import MISSING, needed_files, wheel_name
+from first_cell import (
+    MISSING,
+    in_archive,
+    in_branch,
+    in_lite,
+    needed_files,
+    on_site,
+    wheel_name,
+)
 
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 LANGUAGES = ("id", "en")
 SITE = "https://example.org/buku/"
+REPOSITORY = "https://github.com/somebody/kalman"
+RAW = "https://raw.githubusercontent.com/somebody/kalman/notebooks/"
 PLACES = {"known": SITE, "unknown": ""}
 each_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 each_language = pytest.mark.parametrize("language", LANGUAGES)
@@ -33,7 +43,7 @@ print(len(made("starts.json")) > 100, language_of_notebook())
 
 
 def edition(address):
-    return {"address": address, "repository": "", "version": "0.9", "date": "2026-11-28"}
+    return {"address": address, "repository": REPOSITORY, "version": "0.9", "date": "2026-11-28"}
 
 
 @functools.cache
@@ -41,10 +51,10 @@ def source(path):
     return json.loads(path.read_text(encoding="utf-8"))
 
 
-def taken(path, language, address="", place="site"):
+def taken(path, language, address="", place=on_site):
     """The cells of a notebook as it is taken home."""
-    notebook = download_notebook(source(path), language, path.name, edition(address), place)
-    return notebook["cells"]
+    where = place(edition(address), language)
+    return download_notebook(source(path), language, path.name, "0.9", where)["cells"]
 
 
 def first_cell(cells):
@@ -63,13 +73,15 @@ def test_below_the_title_a_short_cell_installs_what_is_missing(path, language, a
     assert len(set(names)) == len(names)
 
 
-@pytest.mark.parametrize("place", ["site", "index"])
-def test_in_a_browser_the_line_with_pip_is_read_as_it_stands(place):
+@pytest.mark.parametrize(
+    "place, folder", [(on_site, f"{SITE}en/"), (in_branch, f"{RAW}en/"), (in_lite, "")]
+)
+def test_in_a_browser_the_line_with_pip_is_read_as_it_stands(place, folder):
     """There, a line that begins with %pip is taken apart before Python sees it."""
     code = first_cell(taken(NOTEBOOKS[0], "en", SITE, place))
     (line,) = re.findall(r"^\s*%pip\b(.*)$", code, re.MULTILINE)
-    wanted = {"site": f"kalman_lib[chapters] @ {SITE}en/{wheel_name('0.9')}"}
-    assert shlex.split(line) == ["install", "-q", wanted.get(place, "kalman_lib[chapters]")]
+    wheel = f" @ {folder}{wheel_name('0.9')}" if folder else ""
+    assert shlex.split(line) == ["install", "-q", f"kalman_lib[chapters]{wheel}"]
 
 
 @pytest.fixture(scope="module")
@@ -189,7 +201,10 @@ def test_a_source_is_told_as_on_the_page_of_references():
 def test_no_link_leads_to_what_is_not_there(path, language):
     """With an address to the site, without one nowhere; other notebooks stay in the archive."""
     link = re.compile(r"\]\((?!https?:|#|mailto:|attachment:)([^)\s]+)")
-    for address, place, allowed in ((SITE, "site", "$^"), ("", "beside", r"[\w-]+\.ipynb|data/")):
+    for address, place, allowed in (
+        (SITE, on_site, "$^"),
+        ("", in_archive, r"[\w-]+\.ipynb|data/"),
+    ):
         texts = [c["source"] for c in taken(path, language, address, place) if "source" in c]
         for target in link.findall("\n".join("".join(text) for text in texts)):
             assert re.match(allowed, target), (target, place)

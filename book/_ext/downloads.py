@@ -28,11 +28,11 @@ NOTEBOOK_LINK = re.compile(r"\[([^\[\]]*)\]\(([\w-]+)\.ipynb(#[\w-]+)?\)")
 EMPTY_ALT = re.compile(r'(<kalman-explorer[^>]*><img) alt=""')
 
 
-def download_notebook(notebook, language, name="", edition=None, place="site"):
+def download_notebook(notebook, language, name="", version="", place=None):
     """The notebook in one language, with stored outputs.
 
-    name: of its file, such as 03_gyro.ipynb, for the numbers of its figures; edition: what
-    _config.yml says about it, for the first cell and for links; place: see first_cell.py.
+    name: of its file, such as 03_gyro.ipynb, for the numbers of its figures; version: of the wheel
+    that its first cell installs; place: where it will be opened, for that cell and for links.
     """
     notebook = copy.deepcopy(filter_notebook(notebook, language))
     cells = notebook["cells"]
@@ -49,12 +49,20 @@ def download_notebook(notebook, language, name="", edition=None, place="site"):
             output.get("data", {}).pop(WIDGET_VIEW, None)
     if keys:
         cells.append(reference_list(keys, language))
-    if edition is not None:
-        lead_to_the_site(cells, language, edition, alone=place == "site")
-        cells[1:1] = first_cells(notebook, language, edition, place)
+    if place is not None:
+        lead_to_the_site(cells, place)
+        cells[1:1] = first_cells(notebook, language, version, place)
     for name in ("widgets", "book"):
         notebook["metadata"].pop(name, None)
     return notebook
+
+
+def notebooks_in(language, version, place):
+    """All notebooks as they are taken home: (name of the file, its text)."""
+    for path in sorted(NOTEBOOKS.glob("*.ipynb")):
+        notebook = json.loads(path.read_text(encoding="utf-8"))
+        content = download_notebook(notebook, language, path.name, version, place)
+        yield path.name, json.dumps(content, indent=1, ensure_ascii=False)
 
 
 def text_cell(name, source):
@@ -166,15 +174,13 @@ def reference_list(keys, language):
 # --- links ----------------------------------------------------------------------------------------
 
 
-def lead_to_the_site(cells, language, edition, alone):
+def lead_to_the_site(cells, place):
     """A link to what is not there leads to the site, if its address is known; else the words alone
-    stay. alone: no other notebook lies beside this one."""
-    address = edition.get("address", "").rstrip("/")
-    site = f"{address}/{language}"
-    page = rf"[\1]({site}/\2.html\3)" if address else r"\1"
-    notebook = rf"[\1]({site}/notebooks/\2.html\3)" if address else r"\1"
+    stay."""
+    page = rf"[\1]({place.pages}/\2.html\3)" if place.pages else r"\1"
+    notebook = rf"[\1]({place.pages}/notebooks/\2.html\3)" if place.pages else r"\1"
     for cell in cells:
         if cell["cell_type"] == "markdown":
             cell["source"] = PAGE_LINK.sub(page, "".join(cell["source"]))
-            if alone:
+            if place.is_alone:
                 cell["source"] = NOTEBOOK_LINK.sub(notebook, cell["source"])

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from docutils import nodes
 from downloads import download_notebook
+from first_cell import on_site
 from sphinx.util import logging
 from texts import (
     LANGUAGES,
@@ -174,7 +175,9 @@ def text_to_download(source, language, edition):
     text = source.read_text(encoding="utf-8")
     if source.suffix != ".ipynb":
         return filter_markdown(text, language)
-    notebook = download_notebook(json.loads(text), language, source.name, edition)
+    place = on_site(edition, language)
+    notebook = json.loads(text)
+    notebook = download_notebook(notebook, language, source.name, edition["version"], place)
     return json.dumps(notebook, indent=1, ensure_ascii=False)
 
 

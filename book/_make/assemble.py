@@ -1,6 +1,5 @@
 """Puts the finished pages of both languages into _build/site, with what readers take home."""
 
-import json
 import re
 import shutil
 import zipfile
@@ -13,8 +12,9 @@ import mend
 import slides
 import texts
 import yaml
-from downloads import download_notebook
+from downloads import notebooks_in
 from edition import edition
+from first_cell import in_archive
 from pages import change_all, text_of_all
 from places import BUILD, ROOT, SITE
 from wheel import write_wheel
@@ -113,11 +113,9 @@ def write_zip(language, path, wheel):
         whole = path.with_suffix(".pdf")
         if whole.exists():
             archive.write(whole, f"{top}/{whole.name}")
-        for source in sorted((ROOT / "notebooks").glob("*.ipynb")):
-            notebook = json.loads(source.read_text(encoding="utf-8"))
-            content = download_notebook(notebook, language, source.name, edition(), "beside")
-            text = json.dumps(content, indent=1, ensure_ascii=False)
-            archive.writestr(f"{top}/notebooks/{source.name}", text)
+        place = in_archive(edition(), language)
+        for name, text in notebooks_in(language, edition()["version"], place):
+            archive.writestr(f"{top}/notebooks/{name}", text)
 
 
 def readme(language):
