@@ -12,7 +12,7 @@ UV := uv==0.13.9
 COMPILE := _build/uv/bin/uv pip compile --universal --python-version 3.11 --generate-hashes --no-annotate --no-header --quiet
 SIDE_BY_SIDE := --numprocesses 3 --dist loadfile --no-loadscope-reorder
 
-.PHONY: help book pdf watch test bench explorers wheel release tools newest links lint lint-py lint-js format format-py format-js lab serve outputs lists lock clean
+.PHONY: help book pdf watch test bench explorers wheel branch push-branch release tools newest links lint lint-py lint-js format format-py format-js lab serve outputs lists lock clean
 .DEFAULT_GOAL := help
 
 help: ## show this list
@@ -48,6 +48,12 @@ explorers: $(BUNDLE) ## make what kalman_lib.explorer and .exercises show in a n
 
 wheel: $(BUNDLE) ## make a wheel of kalman_lib with explorers and exercises: _build/wheel
 	$(PY) book/_make/wheel.py
+
+branch: $(BUNDLE) ## write the notebooks that Colab and Binder open: _build/branch
+	$(PY) book/_make/branch.py
+
+push-branch: $(BUNDLE) ## put them into the branch `notebooks` of origin
+	$(PY) book/_make/branch.py --push
 
 release: pdf wheel ## what a release hands over: archives and PDFs of both languages and the wheel, in _build/release
 	rm -rf _build/release && mkdir -p _build/release

@@ -43,7 +43,7 @@ try:
     from changes import fingerprint, frame, is_new
     from chapters import execute_notebooks
     from filelock import FileLock
-    from places import BUILD, CACHE, ROOT, SITE
+    from places import BUILD, CACHE, LITE, ROOT, SITE
     from texts import LANGUAGES
 
     import kalman_lib  # noqa: F401
@@ -139,7 +139,8 @@ def build():
     again = not is_new(frame_mark, around)
     frame_mark.unlink(missing_ok=True)  # until this build is done
     pages = build_languages(again)
-    shutil.rmtree(PDFS, ignore_errors=True)  # they show another build
+    for other in (PDFS, LITE):  # they show another build
+        shutil.rmtree(other, ignore_errors=True)
     assemble(pages)
     site_mark.write_text(everything)
     frame_mark.write_text(around)

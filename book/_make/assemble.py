@@ -6,6 +6,7 @@ import zipfile
 
 import found
 import kept
+import launch
 import licences
 import light
 import mend
@@ -16,7 +17,7 @@ from downloads import notebooks_in
 from edition import edition
 from first_cell import in_archive
 from pages import change_all, text_of_all
-from places import BUILD, ROOT, SITE
+from places import BUILD, LITE, ROOT, SITE
 from wheel import write_wheel
 
 ZIP_NAMES = {"id": "filter-kalman", "en": "kalman-filter"}
@@ -49,6 +50,7 @@ def assemble(outputs):
         shutil.copytree(output, folder, ignore=shutil.ignore_patterns(*NOT_FOR_READERS))
         remove_old_pictures(folder)
         mend.mend(folder, language)
+        launch.add_links(folder, language)
         light.lighten(folder)
         slides.write_slides(language)
         take_pdf(folder, f"{ZIP_NAMES[language]}.pdf")
@@ -60,6 +62,8 @@ def assemble(outputs):
     choose = kept.filled("choose.html", page=page, **edition()["title"])
     (SITE / "index.html").write_text(choose, encoding="utf-8")
     kept.write_root(page)
+    if LITE.exists():
+        shutil.copytree(LITE, SITE / "lite")
     found.write_found(page)
     licences.write_licences(outputs["en"])
 
