@@ -12,11 +12,11 @@ UV := uv==0.13.9
 COMPILE := _build/uv/bin/uv pip compile --universal --python-version 3.11 --generate-hashes --no-annotate --no-header --quiet
 SIDE_BY_SIDE := --numprocesses 3 --dist loadfile --no-loadscope-reorder
 
-.PHONY: help book pdf watch test bench explorers wheel branch push-branch release tools newest links lint lint-py lint-js format format-py format-js lab serve outputs lists lock clean
+.PHONY: help book pdf watch test bench explorers wheel branch push-branch lite release tools newest links lint lint-py lint-js format format-py format-js lab serve outputs lists lock clean
 .DEFAULT_GOAL := help
 
 help: ## show this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-11s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 book: $(BUNDLE) ## build the book in both languages: _build/site/index.html
 	$(PY) book/build.py
@@ -54,6 +54,11 @@ branch: $(BUNDLE) ## write the notebooks that Colab and Binder open: _build/bran
 
 push-branch: $(BUNDLE) ## put them into the branch `notebooks` of origin
 	$(PY) book/_make/branch.py --push
+
+lite: book ## add JupyterLite, where chapters run in the browser: _build/site/lite; with a Pyodide of your own: make lite PYODIDE=folder
+	$(PYTHON) -m venv _build/lite-env
+	_build/lite-env/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes -r book/lite/needs.lock
+	$(PY) book/_make/lite.py $(CURDIR)/_build/lite-env/bin/python "$(PYODIDE)"
 
 release: pdf wheel ## what a release hands over: archives and PDFs of both languages and the wheel, in _build/release
 	rm -rf _build/release && mkdir -p _build/release
@@ -93,12 +98,13 @@ outputs: $(BUNDLE) ## run the notebooks and store their outputs
 lists: $(VENV)/.installed ## write the lists of chapters and the glossary again
 	$(PY) book/_make/lists.py
 
-lock: ## write the locks again: requirements.lock, and what of it Binder and the tests of the package need
+lock: ## write the locks again: requirements.lock, and what of it Binder, the tests of the package and JupyterLite need
 	$(PYTHON) -m venv _build/uv
 	_build/uv/bin/python -m pip install --quiet --disable-pip-version-check $(UV)
 	$(COMPILE) requirements.txt -o requirements.lock
 	echo setuptools | $(COMPILE) -c requirements.lock pyproject.toml --extra notebook - -o .binder/requirements.txt
 	$(COMPILE) -c requirements.lock -c .binder/requirements.txt pyproject.toml --extra chapters tests/package-needs.txt -o tests/package-needs.lock
+	$(COMPILE) -c requirements.lock -c .binder/requirements.txt book/lite/needs.txt -o book/lite/needs.lock
 
 clean: ## remove everything that was built (the virtual environment stays)
 	rm -rf _build book/_static/vendor book/node_modules $(dir $(BUNDLE)) $(VENV)/.npm .pytest_cache

@@ -78,7 +78,7 @@ def test_jupyterlite_is_offered_when_it_is_there(adopt, tmp_path, monkeypatch):
     folder = pages(tmp_path / "en")
     launch.add_links(folder, "en")
     text = (folder / "notebooks" / "03_gyro.html").read_text()
-    assert LINK.findall(text) == [("../../lite/en.html#03_gyro", "JupyterLite")]
+    assert LINK.findall(text) == [("../../lite/start.html#en-03_gyro", "JupyterLite")]
 
 
 def test_a_repository_is_named_in_several_ways():

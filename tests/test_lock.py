@@ -8,7 +8,12 @@ from conftest import ROOT
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
-LOCKS = ("requirements.lock", ".binder/requirements.txt", "tests/package-needs.lock")
+LOCKS = (
+    "requirements.lock",
+    ".binder/requirements.txt",
+    "tests/package-needs.lock",
+    "book/lite/needs.lock",
+)
 PYTHONS = ("3.11", "3.12", "3.13", "3.14")
 SYSTEMS = {"linux": ("Linux", "posix"), "win32": ("Windows", "nt"), "darwin": ("Darwin", "posix")}
 HASH = re.compile(r"--hash=sha256:[0-9a-f]{64}")
@@ -64,6 +69,7 @@ def direct(name):
         "requirements.lock": without_comments("requirements.txt"),
         ".binder/requirements.txt": [*package, *extras["notebook"], "setuptools"],
         "tests/package-needs.lock": [*package, *without_comments("tests/package-needs.txt")],
+        "book/lite/needs.lock": without_comments("book/lite/needs.txt"),
     }[name]
     found = [Requirement(line) for line in wanted]
     return [requirement for requirement in found if requirement.name != about["name"]]

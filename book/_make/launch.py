@@ -48,5 +48,5 @@ def addresses(language, name, up):
         found["Colab"] = COLAB.format(**values)
         found["Binder"] = BINDER.format(**values)
     if LITE.exists():
-        found["JupyterLite"] = f"{up}../lite/{language}.html#{name}"
+        found["JupyterLite"] = f"{up}../lite/start.html#{language}-{name}"
     return found
