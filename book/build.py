@@ -28,6 +28,7 @@ from pathlib import Path
 WITHOUT_GRAMMAR = "import sys; sys.modules['rfc3987_syntax'] = None; "
 sys.modules["rfc3987_syntax"] = None
 
+SOURCES = ("book", "notebooks", "_config.yml", "_toc.yml", "pyproject.toml", "LICENSE")
 REFERENCES = "book/references"  # the page with the bibliography
 BOOK = Path(__file__).resolve().parent
 sys.path[:0] = [str(BOOK / "_make"), str(BOOK / "_ext")]
@@ -42,7 +43,7 @@ try:
     from changes import fingerprint, frame, is_new
     from chapters import execute_notebooks
     from filelock import FileLock
-    from places import BUILD, CACHE, ROOT, SITE
+    from places import BUILD, CACHE, LITE, ROOT, SITE
     from texts import LANGUAGES
 
     import kalman_lib  # noqa: F401
@@ -126,7 +127,7 @@ def build():
     offline.install()
     explorers.for_notebooks()  # for the notebooks that run here, and for the readers' archive
     code = fingerprint(ROOT / "kalman_lib", ROOT / "notebooks" / "data", ROOT / "requirements.lock")
-    sources = [ROOT / name for name in ("book", "notebooks", "_config.yml", "_toc.yml")]
+    sources = [ROOT / name for name in SOURCES]
     everything = code + fingerprint(*sources)
     site_mark, frame_mark = BUILD / "built-from", BUILD / "built-around"
     if (SITE / "index.html").exists() and not is_new(site_mark, everything):
@@ -138,7 +139,8 @@ def build():
     again = not is_new(frame_mark, around)
     frame_mark.unlink(missing_ok=True)  # until this build is done
     pages = build_languages(again)
-    shutil.rmtree(PDFS, ignore_errors=True)  # they show another build
+    for other in (PDFS, LITE):  # they show another build
+        shutil.rmtree(other, ignore_errors=True)
     assemble(pages)
     site_mark.write_text(everything)
     frame_mark.write_text(around)

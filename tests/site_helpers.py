@@ -119,7 +119,8 @@ class Reader(html.parser.HTMLParser):
 
 def pages_of(site):
     """Every page that has a language; those that a host shows where there is none say both."""
-    return sorted(path for path in site.rglob("*.html") if path.name not in WITHOUT_LANGUAGE)
+    found = (path for path in site.rglob("*.html") if path.name not in WITHOUT_LANGUAGE)
+    return sorted(path for path in found if site / "lite" not in path.parents)  # JupyterLite's own
 
 
 def twin(name):

@@ -10,9 +10,9 @@ import conftest  # noqa: F401  (the build's own modules can be imported)
 import exercise_cells
 import numpy as np
 import pytest
+from downloads import download_notebook
 from exercise_cases import EXERCISES, GRADED, SEQUENCES
 from test_notebooks import skeleton
-from texts import download_notebook
 
 from kalman_lib import exercises as room
 from kalman_lib.exercises import check

@@ -35,6 +35,7 @@ def test_permissions_are_few(path):
     workflow = read(path)
     assert workflow["permissions"] == {"contents": "read"}
     allowed = {"deploy": {"pages": "write", "id-token": "write"}, "release": {"contents": "write"}}
+    allowed["notebooks"] = {"contents": "write"}
     for name, job in workflow["jobs"].items():
         assert job.get("permissions") == allowed.get(name), name
 

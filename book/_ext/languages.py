@@ -5,16 +5,15 @@ while a page is read, what belongs to the other one. How a text is marked is tol
 """
 
 import json
-import re
 from pathlib import Path
 
 from docutils import nodes
-from exercise_cells import has_solutions
+from downloads import download_notebook
+from first_cell import on_site
 from sphinx.util import logging
 from texts import (
     LANGUAGES,
     choose,
-    download_notebook,
     filter_markdown,
     filter_notebook,
     headings,
@@ -29,8 +28,6 @@ IN_TWO_LANGUAGES = (  # settings
     "html_theme_options",
     "nb_code_prompt_show",
     "nb_code_prompt_hide",
-    "book_solution_show",
-    "book_solution_hide",
     "book_download_names",
     "togglebutton_hint",
     "togglebutton_hint_hide",
@@ -44,15 +41,6 @@ MENDED = {
     # docutils: the corner of a table heads nothing
     '<th class="head"><p></p></th>': "<td></td>",
 }
-HINT = {
-    "id": "*Untuk menjalankan buku catatan ini diperlukan `kalman_lib` dan folder `data`. "
-    "Keduanya ada, bersama perintah pemasangannya, dalam arsip lengkap di halaman "
-    "“Cara memakai buku ini”.*",
-    "en": "*To run this notebook, `kalman_lib` and the folder `data` are needed. Both are, with "
-    "the commands to install them, in the complete archive on the page “How to use this book”.*",
-}
-HIDDEN_CELL = r'<div class="cell tag_hide-cell[^>]*>\s*<details[^>]*>\s*<summary>\s*'
-PROMPTS = re.compile(rf"({HIDDEN_CELL}<p[^>]*>)[^<]*(</p>\s*<p[^>]*>)[^<]*")
 FIRST_PAGE = """<!DOCTYPE html>
 <html lang="{language}"><head><meta charset="utf-8">\
 <meta name="viewport" content="width=device-width, initial-scale=1"><title>{title}</title>\
@@ -153,12 +141,6 @@ def mend_markup(app, pagename, templatename, context, doctree):
         context["body"] = context.get("body", "").replace(wrong, right)
 
 
-def name_solutions(app, pagename, templatename, context, doctree):
-    """The prompt of a hidden cell says that it is a solution (others say "Show the code")."""
-    show, hide = app.config.book_solution_show, app.config.book_solution_hide
-    context["body"] = PROMPTS.sub(rf"\g<1>{show}\g<2>{hide}", context.get("body", ""))
-
-
 def name_downloads(app, pagename, templatename, context, doctree):
     """Say in words what the download menu gives; the theme shows file endings only."""
     names = app.config.book_download_names
@@ -176,14 +158,17 @@ def write_downloads(app, exception):
         source = Path(app.env.doc2path(docname))
         copy = Path(app.outdir, "_sources", docname).with_name(source.name)
         if copy.exists():
-            copy.write_text(text_to_download(source, app.config.language), encoding="utf-8")
+            text = text_to_download(source, app.config.language, app.config.book_edition)
+            copy.write_text(text, encoding="utf-8")
 
 
-def text_to_download(source, language):
+def text_to_download(source, language, edition):
     text = source.read_text(encoding="utf-8")
     if source.suffix != ".ipynb":
         return filter_markdown(text, language)
-    notebook = download_notebook(json.loads(text), language, HINT[language], has_solutions())
+    place = on_site(edition, language)
+    notebook = json.loads(text)
+    notebook = download_notebook(notebook, language, source.name, edition["version"], place)
     return json.dumps(notebook, indent=1, ensure_ascii=False)
 
 
@@ -200,8 +185,6 @@ def setup(app):
     # book/build.py sets it, which builds both languages beside each other
     app.add_config_value("book_site", False, "html")
     app.add_config_value("book_download_names", {}, "html")
-    app.add_config_value("book_solution_show", "", "html")
-    app.add_config_value("book_solution_hide", "", "html")
     app.connect("config-inited", split_config, priority=100)
     app.connect("config-inited", split_toc, priority=999)
     app.connect("source-read", read_one_language)
@@ -209,7 +192,6 @@ def setup(app):
     app.connect("doctree-read", name_sections, priority=400)
     app.connect("html-page-context", add_language_links)
     app.connect("html-page-context", mend_markup)
-    app.connect("html-page-context", name_solutions, priority=600)  # after mend_markup
     # after the theme has made its buttons
     app.connect("html-page-context", name_downloads, priority=600)
     app.connect("build-finished", write_downloads)

@@ -1,7 +1,6 @@
 """Puts the finished pages of both languages into _build/site, with what readers take home."""
 
 import io
-import json
 import re
 import shutil
 import zipfile
@@ -9,6 +8,7 @@ import zipfile
 import embeds
 import found
 import kept
+import launch
 import licences
 import light
 import mend
@@ -17,15 +17,17 @@ import slides
 import steady
 import texts
 import yaml
+from downloads import notebooks_in
 from edition import edition
-from exercise_cells import has_solutions
+from first_cell import in_archive
 from pages import change_all, text_of_all
-from places import BUILD, ROOT, SITE
+from places import BUILD, LITE, ROOT, SITE
+from wheel import write_wheel
 
 ZIP_NAMES = {"id": "filter-kalman", "en": "kalman-filter"}
 ZIPPED_FOLDERS = ("notebooks/data", "kalman_lib")
-ZIPPED_FILES = ("requirements.txt", "requirements.lock", "pyproject.toml", "LICENSE")
-BOOK_LINK = re.compile(r"\[([^\[\]]*)\]\(\.\./book/([\w-]+)\.md(#[\w-]+)?\)")
+ZIPPED_FILES = ("requirements.txt", "pyproject.toml", "LICENSE")
+DATA = ROOT / "notebooks" / "data"
 PDFS = BUILD / "pdf"
 PDF_LINK = re.compile(r'\s*· <a class="whole-pdf"[^>]*>[^<]*</a>')
 NOT_FOR_READERS = (
@@ -47,28 +49,44 @@ def assemble(outputs):
     toc = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))
     page = f"{toc['root']}.html"
     shutil.rmtree(SITE, ignore_errors=True)
+    wheel = write_wheel()
     for language, output in outputs.items():
         folder = SITE / language
         shutil.copytree(output, folder, ignore=shutil.ignore_patterns(*NOT_FOR_READERS))
-        remove_old_pictures(folder)
-        mend.mend(folder, language)
-        policy.take_out_scripts(folder)
-        embeds.show_lines(folder, language)
-        sheet = embeds.sheet_of(folder)
-        light.lighten(folder)
-        slides.write_slides(language)
-        embeds.write_embeds(language, sheet)
-        policy.write_policy(folder)
-        take_pdf(folder, f"{ZIP_NAMES[language]}.pdf")
-        write_workbook(folder / "kalman.xlsx")
-        write_zip(language, folder / f"{ZIP_NAMES[language]}.zip")
+        finish_pages(folder, language)
+        lay_downloads(folder, language, wheel)
         kept.write_language(language, page)
     choose = kept.filled("choose.html", page=page, **edition()["title"])
     (SITE / "index.html").write_text(policy.with_policy(choose), encoding="utf-8")
     kept.write_root(page)
+    if LITE.exists():
+        shutil.copytree(LITE, SITE / "lite")
     found.write_found(page)
     policy.write_headers()
     licences.write_licences(outputs["en"])
+
+
+def finish_pages(folder, language):
+    """What is mended, added or made from the pages of one language, in this order."""
+    remove_old_pictures(folder)
+    mend.mend(folder, language)
+    launch.add_links(folder, language)
+    policy.take_out_scripts(folder)
+    embeds.show_lines(folder, language)
+    sheet = embeds.sheet_of(folder)
+    light.lighten(folder)
+    slides.write_slides(language)
+    embeds.write_embeds(language, sheet)
+    policy.write_policy(folder)
+
+
+def lay_downloads(folder, language, wheel):
+    """What readers of one language take home."""
+    take_pdf(folder, f"{ZIP_NAMES[language]}.pdf")
+    write_workbook(folder / "kalman.xlsx")
+    shutil.copy(wheel, folder)
+    shutil.copytree(DATA, folder / "_sources" / "notebooks" / "data")  # notebooks ask for it
+    write_zip(language, folder / f"{ZIP_NAMES[language]}.zip", wheel)
 
 
 def built_pages():
@@ -103,27 +121,28 @@ def write_workbook(path):
     path.write_bytes(steady.without_the_minute(made.getvalue()))
 
 
-def write_zip(language, path):
+def write_zip(language, path, wheel):
     """What a reader needs to run the chapters.
 
-    That is the notebooks in one language, their data, kalman_lib and the requirements.
+    That is the notebooks in one language, their data, kalman_lib and the requirements; and the
+    wheel beside the notebooks, for whoever opens one with a Python of his own.
     """
     top = path.stem
     with zipfile.ZipFile(path, "w") as archive:
         steady.add(archive, f"{top}/README.md", readme(language))
         for file in zipped_files():
             steady.add(archive, f"{top}/{file.relative_to(ROOT).as_posix()}", file.read_bytes())
+        lock = without_hashes(ROOT / "requirements.lock")
+        steady.add(archive, f"{top}/requirements.lock", lock)
+        steady.add(archive, f"{top}/notebooks/{wheel.name}", wheel.read_bytes())
         workbook = path.parent / "kalman.xlsx"  # chapter 2 links to it
         steady.add(archive, f"{top}/kalman.xlsx", workbook.read_bytes())
         whole = path.with_suffix(".pdf")
         if whole.exists():
             steady.add(archive, f"{top}/{whole.name}", whole.read_bytes())
-        for source in sorted((ROOT / "notebooks").glob("*.ipynb")):
-            notebook = json.loads(source.read_text(encoding="utf-8"))
-            content = texts.download_notebook(notebook, language, has_solutions=has_solutions())
-            lead_to_the_site(content, language)
-            text = json.dumps(content, indent=1, ensure_ascii=False)
-            steady.add(archive, f"{top}/notebooks/{source.name}", text)
+        place = in_archive(edition(), language)
+        for name, text in notebooks_in(language, edition()["version"], place):
+            steady.add(archive, f"{top}/notebooks/{name}", text)
 
 
 def readme(language):
@@ -137,14 +156,10 @@ def readme(language):
     return "\n".join(mine) + "\n"
 
 
-def lead_to_the_site(notebook, language):
-    """Pages that are no notebooks are not in the archive: a link leads to the site, if its address
-    is known, else the words alone stay."""
-    address = edition()["address"].rstrip("/")
-    page = rf"[\1]({address}/{language}/book/\2.html\3)" if address else r"\1"
-    for cell in notebook["cells"]:
-        if cell["cell_type"] == "markdown":
-            cell["source"] = BOOK_LINK.sub(page, "".join(cell["source"]))
+def without_hashes(lock):
+    """The versions of a lock: beside hashes pip would refuse the folder of the package."""
+    lines = lock.read_text(encoding="utf-8").splitlines()
+    return "\n".join(line.removesuffix(" \\") for line in lines if "--hash" not in line) + "\n"
 
 
 def zipped_files():

@@ -8,6 +8,7 @@ files below; pages and site take them while they are built.
 import re
 
 import yaml
+from first_cell import wheel_name
 from places import ROOT
 
 QUOTED = r'"[^"]*"'
@@ -33,6 +34,7 @@ def written(about):
         "README.md": [first],
         "book/intro.md": [heading("id", title), heading("en", title)],
         "book/about.md": [*quotation("id", about), *quotation("en", about)],
+        "book/use.md": [(r"kalman_lib-[^-\s]+-py3-none-any\.whl", wheel_name(about["version"]))],
         "LICENSE": [(r"Copyright \(c\) \d{4} .*", f"Copyright (c) {year} {holder}")],
         "pyproject.toml": [
             (r'^version = ".*', f'version = "{about["version"]}"'),
@@ -102,7 +104,7 @@ def texts():
     for name, changes in written(about).items():
         text = (ROOT / name).read_text(encoding="utf-8")
         for pattern, wanted in changes:
-            text, count = re.subn(pattern, wanted, text, count=1, flags=re.MULTILINE)
+            text, count = re.subn(pattern, wanted, text, flags=re.MULTILINE)
             if not count:
                 raise SystemExit(f"{name}: nothing fits {pattern}")
         found[ROOT / name] = text

@@ -41,8 +41,8 @@ HEAD = (
 )
 SCRIPTS = "script[src*='/vendor/explorers/'], script[src*='/offline.js']"
 ONLY_FOR_A_PAGE = (
-    "a.headerlink, .exercise-progress, .exercise-verdict, .exercise-hints, .toctree-wrapper, "
-    "details.above-input, details.below-input"
+    "a.headerlink, .launch, .exercise-progress, .exercise-verdict, .exercise-hints, "
+    ".toctree-wrapper, details.above-input, details.below-input"
 )
 
 

@@ -30,7 +30,7 @@ WORDS = {
     },
 }
 NOT_ON_PAPER = (
-    "script, form, a.headerlink, .exercise-progress, .exercise-verdict, .exercise-hints, "
+    "script, form, a.headerlink, .launch, .exercise-progress, .exercise-verdict, .exercise-hints, "
     ".toctree-wrapper, details:not(.exercise-solution), .cell.tag_hide-cell"
 )
 # The exercises stand in their chapters; what is for lecturers leads to live figures

@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 LANGUAGES = ("id", "en")
+CHOSEN = "KALMAN_LANGUAGE"  # set by the first cell of a notebook that was downloaded
 
 
 def shell():
@@ -23,6 +24,9 @@ def language_of_notebook():
         cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
         tags = {tag for cell in cells for tag in cell["metadata"].get("tags", [])}
     except (OSError, ValueError, KeyError, TypeError):
-        return ""
+        tags = set()  # Colab, Kaggle, a browser: nobody says which file this is
     found = [language for language in LANGUAGES if f"lang-{language}" in tags]
+    chosen = os.environ.get(CHOSEN, "")
+    if not found and chosen in LANGUAGES:
+        return chosen
     return found[0] if len(found) == 1 else ""
