@@ -143,6 +143,19 @@ def test_a_print_from_a_script_that_only_changes_the_medium(printed):
     page.wait_for_function("!document.querySelector('.explorer-paper')")
 
 
+def test_code_that_opens_for_paper_is_there_at_once(printed):
+    """On a phone it is folded; the theme fades in what opens, and paper shows the first moment."""
+    page, _ = printed(
+        "en/notebooks/03_gyro.html",
+        viewport={"width": 390, "height": 844},
+        reduced_motion="no-preference",
+    )
+    preview(page)
+    code = page.locator("details.fold[open] > div").first
+    assert code.is_visible() and code.evaluate("e => e.getAnimations().length") == 0
+    assert code.evaluate("e => getComputedStyle(e).opacity") == "1"
+
+
 def test_without_a_script_the_picture_is_printed(printed):
     page, _ = printed("en/notebooks/03_gyro.html", java_script_enabled=False)
     page.emulate_media(media="print")
