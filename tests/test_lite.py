@@ -97,6 +97,23 @@ def test_a_chapter_leads_to_its_line_on_that_page(source, monkeypatch, tmp_path)
             assert page.count(link) == 1
 
 
+def test_whoever_comes_from_a_chapter_sees_first_what_it_downloads(source, chromium, tmp_path):
+    """On a phone: the paragraph of the language, and this chapter alone."""
+    path = tmp_path / lite.START
+    path.write_text(lite.start_page(None), encoding="utf-8")
+    page = chromium.new_page(viewport={"width": 390, "height": 844})
+    for language, word in (("id", "mengunduh"), ("en", "downloads")):
+        page.goto("about:blank")
+        page.goto(f"{path.as_uri()}#{language}-{NAMES[-1]}")
+        assert page.locator("li:visible").count() == 1
+        (paragraph,) = page.locator("p:visible").all()
+        assert word in paragraph.inner_text()
+        assert paragraph.bounding_box()["y"] >= 0 == page.evaluate("scrollY")
+    page.goto(path.as_uri())
+    assert page.locator("li:visible").count() == 2 * len(NAMES)
+    page.close()
+
+
 # --- where it is built ----------------------------------------------------------------------------
 
 
