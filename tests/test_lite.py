@@ -9,7 +9,7 @@ import tomllib
 import urllib.parse
 
 import pytest
-from conftest import ROOT
+from conftest import PATIENCE, ROOT
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
@@ -20,6 +20,7 @@ import lite
 from edition import edition
 from first_cell import wheel_name
 from places import LITE
+from test_offline_copy import host
 
 NAMES = sorted(path.stem for path in (ROOT / "notebooks").glob("*.ipynb"))
 # What Pyodide brings (its pyodide-lock.json), and what its kernel has in the place of another one
@@ -157,3 +158,23 @@ def test_its_settings_name_what_is_there():
         assert (folder / "pyodide-lock.json").is_file() and (folder / "pyodide.mjs").is_file()
     shown = {extension["name"] for extension in settings["federated_extensions"]}
     assert {"anywidget", "@jupyter-widgets/jupyterlab-manager"} <= shown
+
+
+@pytest.mark.skipif(
+    not (LITE / "static" / "pyodide").exists(), reason="no Pyodide here: make lite PYODIDE=folder"
+)
+def test_its_first_cell_takes_the_wheel_from_here_and_asks_nobody_else(chromium):
+    context = chromium.new_context(viewport={"width": 1280, "height": 900})
+    asked = []
+    context.on("request", lambda request: asked.append(request.url))
+    with host(LITE) as (address, _):
+        page = context.new_page()
+        page.goto(f"{address}/{lite.START}#en-{NAMES[0]}")
+        page.locator("li:visible a").click()
+        cell = page.locator(".jp-CodeCell").first
+        cell.locator(".cm-content").click()
+        name = wheel_name(edition()["version"])
+        with context.expect_event("request", lambda request: name in request.url, timeout=PATIENCE):
+            page.keyboard.press("Shift+Enter")
+        context.close()
+    assert [url for url in asked if not url.startswith((address, "data:", "blob:"))] == []
