@@ -26,6 +26,8 @@ from first_cell import (
     wheel_name,
 )
 
+from kalman_lib.live.notebook import language_of_notebook
+
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 LANGUAGES = ("id", "en")
 SITE = "https://example.org/buku/"
@@ -152,6 +154,31 @@ def test_what_its_cells_open_lies_beside_it(path):
     assert all((path.parent / name).is_file() for name in needed)
     opened = {"02_smoother": ["data/nile.csv"], "07_workshop_deeper": ["07_workshop.ipynb"]}
     assert needed == opened.get(path.stem, needed)
+
+
+# --- its language ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "tags, chosen, language",
+    [
+        (["lang-en"], "id", "en"),  # what the notebook itself says, as far as it is known
+        (["lang-id", "lang-en"], "id", ""),
+        (None, "id", "id"),  # Colab, Kaggle, a browser: only the first cell says it
+        (None, "fr", ""),
+        (None, None, ""),
+    ],
+)
+def test_explorers_and_exercises_speak_its_language(tags, chosen, language, tmp_path, monkeypatch):
+    path = tmp_path / "notebook.ipynb"
+    if tags is not None:
+        cells = [{"metadata": {"tags": [tag]}} for tag in tags]
+        path.write_text(json.dumps({"cells": cells}))
+    monkeypatch.setenv("JPY_SESSION_NAME", str(path))
+    monkeypatch.delenv("KALMAN_LANGUAGE", raising=False)
+    if chosen:
+        monkeypatch.setenv("KALMAN_LANGUAGE", chosen)
+    assert language_of_notebook() == language
 
 
 # --- what it keeps --------------------------------------------------------------------------------

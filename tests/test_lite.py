@@ -9,7 +9,7 @@ import tomllib
 import urllib.parse
 
 import pytest
-from conftest import ROOT
+from conftest import PATIENCE, ROOT
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
@@ -20,6 +20,7 @@ import lite
 from edition import edition
 from first_cell import wheel_name
 from places import LITE
+from test_offline_copy import host
 
 NAMES = sorted(path.stem for path in (ROOT / "notebooks").glob("*.ipynb"))
 # What Pyodide brings (its pyodide-lock.json), and what its kernel has in the place of another one
@@ -97,6 +98,23 @@ def test_a_chapter_leads_to_its_line_on_that_page(source, monkeypatch, tmp_path)
             assert page.count(link) == 1
 
 
+def test_whoever_comes_from_a_chapter_sees_first_what_it_downloads(source, chromium, tmp_path):
+    """On a phone: the paragraph of the language, and this chapter alone."""
+    path = tmp_path / lite.START
+    path.write_text(lite.start_page(None), encoding="utf-8")
+    page = chromium.new_page(viewport={"width": 390, "height": 844})
+    for language, word in (("id", "mengunduh"), ("en", "downloads")):
+        page.goto("about:blank")
+        page.goto(f"{path.as_uri()}#{language}-{NAMES[-1]}")
+        assert page.locator("li:visible").count() == 1
+        (paragraph,) = page.locator("p:visible").all()
+        assert word in paragraph.inner_text()
+        assert paragraph.bounding_box()["y"] >= 0 == page.evaluate("scrollY")
+    page.goto(path.as_uri())
+    assert page.locator("li:visible").count() == 2 * len(NAMES)
+    page.close()
+
+
 # --- where it is built ----------------------------------------------------------------------------
 
 
@@ -140,3 +158,23 @@ def test_its_settings_name_what_is_there():
         assert (folder / "pyodide-lock.json").is_file() and (folder / "pyodide.mjs").is_file()
     shown = {extension["name"] for extension in settings["federated_extensions"]}
     assert {"anywidget", "@jupyter-widgets/jupyterlab-manager"} <= shown
+
+
+@pytest.mark.skipif(
+    not (LITE / "static" / "pyodide").exists(), reason="no Pyodide here: make lite PYODIDE=folder"
+)
+def test_its_first_cell_takes_the_wheel_from_here_and_asks_nobody_else(chromium):
+    context = chromium.new_context(viewport={"width": 1280, "height": 900})
+    asked = []
+    context.on("request", lambda request: asked.append(request.url))
+    with host(LITE) as (address, _):
+        page = context.new_page()
+        page.goto(f"{address}/{lite.START}#en-{NAMES[0]}")
+        page.locator("li:visible a").click()
+        cell = page.locator(".jp-CodeCell").first
+        cell.locator(".cm-content").click()
+        name = wheel_name(edition()["version"])
+        with context.expect_event("request", lambda request: name in request.url, timeout=PATIENCE):
+            page.keyboard.press("Shift+Enter")
+        context.close()
+    assert [url for url in asked if not url.startswith((address, "data:", "blob:"))] == []
