@@ -49,7 +49,7 @@ def shown(page, **changes):
 
 
 def own_data(p, seed=1, uneven=False, gaps=False, outliers=False, steps=60):
-    """A pasted table of made-up data: t, z, and w where there is a second column."""
+    """A pasted table of made-up data: t, z, w where there is a second column, v where a third."""
     rng = np.random.default_rng(seed)
     made = workshop.simulate(p, rng, steps)
     t = np.cumsum(rng.uniform(0.4, 2.5, steps)) if uneven else 5 + p.dt * np.arange(steps)
@@ -60,9 +60,9 @@ def own_data(p, seed=1, uneven=False, gaps=False, outliers=False, steps=60):
     if outliers:
         z[20::13, 0] += 40 * np.sqrt(p.R)
     columns = {"t": t, "z": z[:, 0]}
-    if z.shape[1] > 1 or made.u is not None:
-        columns["w"] = z[:, 1] if z.shape[1] > 1 else made.u[:, 0]
-    return columns
+    more = [z[:, 1]] if z.shape[1] > 1 else []
+    more += [] if made.u is None else [made.u[:, 0]]
+    return columns | dict(zip("wv", more))
 
 
 def as_text(columns):
@@ -74,5 +74,6 @@ def as_text(columns):
 
 def pasted(columns):
     """The state of a reader who pasted it and took the columns by their names."""
-    names = {"time": "t", "value": "z", "value2": "w" if "w" in columns else ""}
+    names = {"time": "t", "value": "z"}
+    names |= {f"value{k}": name for k, name in ((2, "w"), (3, "v")) if name in columns}
     return {"text": as_text(columns), **names}

@@ -45,6 +45,10 @@ class Params:
         0, min=0, max=1, step=1, unit="",
         id="kolom kedua berbias", en="bias of the second column",
     )
+    third: int = param(
+        0, min=0, max=1, step=1, unit="",
+        id="kolom ketiga: masukan yang diketahui", en="third column: a known input",
+    )
     dt: float = param(
         1, min=1e-3, max=1e4, step=0.1, unit="s", log=True,
         id="langkah waktu", en="time step",
@@ -93,7 +97,7 @@ def model(p, dt=None, F=OWN_F, H=OWN_H, x0=None, P0=None):
     P0 = np.asarray(P0_found if P0 is None else P0, dtype=float)
     return LinearModel(
         F=F,
-        B=B if p.second == DRIVES else None,
+        B=B if has_input(p) else None,
         H=H,
         Q=Q,
         R=np.diag([p.R, p.R2][: len(H)]),
@@ -116,6 +120,11 @@ def continuous(p):
     A = np.block([[A, drift], [np.zeros((1, n + 1))]])
     Bc = np.vstack([Bc, [[0.0]]])
     return A, Bc, np.pad(Qc, (0, 1))
+
+
+def has_input(p):
+    """Is the second column, or the third beside a second sensor, a known input?"""
+    return p.second == DRIVES or (bool(p.third) and p.second != NONE)
 
 
 def has_bias(p):
@@ -168,7 +177,8 @@ def simulate(p, rng, steps=STEPS):
     u = None
     if made.B is not None:
         wave = np.sin(2 * np.pi * np.arange(steps) / PERIOD)
-        u = true_bias(p) * bool(p.bias) + height_of_wave(p) * wave[:, np.newaxis]
+        offset = true_bias(p) * bool(p.bias) if p.second == DRIVES else 0
+        u = offset + height_of_wave(p) * wave[:, np.newaxis]
     return simulate_model(made, steps, rng, u, x0)
 
 

@@ -2,7 +2,7 @@
 import { ownControls } from "../../own/data.js";
 import { sensorControl } from "../../own/phone.js";
 import { columnNames, isOwn, isTimed } from "./table.js";
-import { patternFor, startingNoise, usesSecond } from "./data.js";
+import { columnsUsed, patternFor, startingNoise, usesSecond } from "./data.js";
 import { START_F, START_H, readMatrices } from "./matrices.js";
 import { PATTERN, SECOND } from "./model.js";
 import { readyToTake, takeAway, takeWorkbook } from "./take.js";
@@ -37,6 +37,10 @@ function wantsSecond(s) {
   return usesSecond(s, isOwnPattern(s) ? rowsOfH(s) : 1);
 }
 
+function wantsThird(s) {
+  return columnsUsed(s, 1) > 2;
+}
+
 function rowsOfH(s) {
   try {
     return readMatrices(s.F, s.H).H.length;
@@ -49,7 +53,7 @@ function rowsOfH(s) {
 const brought = ownControls({
   words: { text: CONTROLS.text, placeholder: CONTROLS.placeholder, value: CONTROLS.value },
   visible: (s) => isOwn(s) && !s.motion,
-  also: { motion: null, value2: "", likely: true }, // what suits made-up data suits no other
+  also: { motion: null, value2: "", value3: "", likely: true }, // what suits made-up data suits no other
   time: true,
 }).map((control) => ({ ...control, visible: inGroup("data", control.visible) }));
 
@@ -65,21 +69,20 @@ function columnChoice(name, first, visible) {
   };
 }
 
+/** What a column is multiplied by. */
+function factorOf(name, visible) {
+  const range = { field: true, default: 1, min: -1e9, max: 1e9, step: 0.01 };
+  return { name, ...CONTROLS[name], ...range, visible: inGroup("data", visible) };
+}
+
 const dataControls = [
   ...brought,
   sensorControl({ name: "motion", visible: inGroup("data", (s) => Boolean(s.motion) || isMadeUp(s)) }),
   columnChoice("axis", CONTROLS.first_axis, (s) => Boolean(s.motion)),
   columnChoice("value2", CONTROLS.next_column, (s) => isOwn(s) && wantsSecond(s)),
-  {
-    name: "factor",
-    ...CONTROLS.factor,
-    field: true,
-    default: 1,
-    min: -1e9,
-    max: 1e9,
-    step: 0.01,
-    visible: inGroup("data", (s) => isOwn(s) && wantsSecond(s)),
-  },
+  factorOf("factor", (s) => isOwn(s) && wantsSecond(s)),
+  columnChoice("value3", CONTROLS.next_column, (s) => isOwn(s) && wantsThird(s)),
+  factorOf("factor3", (s) => isOwn(s) && wantsThird(s)),
   {
     name: "dt",
     symbol: "Δt",
@@ -98,6 +101,11 @@ const dataControls = [
     visible: inGroup("data", isMadeUp),
   },
 ];
+
+/** Does another sensor stand in the second column? */
+function isSecondSensor({ second }) {
+  return second !== SECOND.NONE && second !== SECOND.DRIVES;
+}
 
 // --- motion ------------------------------------------------------------------------------------------------
 
@@ -148,6 +156,16 @@ const motionControls = [
       [1, CONTROLS.with_bias],
     ],
     visible: inGroup("motion", (s) => !isOwnPattern(s) && s.second !== SECOND.NONE),
+  },
+  {
+    kind: "select",
+    name: "third",
+    ...CONTROLS.third,
+    options: [
+      [0, SECONDS[SECOND.NONE]],
+      [1, SECONDS[SECOND.DRIVES]],
+    ],
+    visible: inGroup("motion", (s) => !isOwnPattern(s) && isSecondSensor(s)),
   },
 ];
 

@@ -2,7 +2,7 @@
 import { InputError } from "../../language/input.js";
 import { inBoth } from "../../language/speaker.js";
 import { generator } from "../../numerics/random.js";
-import { OWN_F, OWN_H, PATTERN, SECOND, STEPS, median, simulate, statesOf } from "./model.js";
+import { OWN_F, OWN_H, PATTERN, SECOND, STEPS, hasInput, median, simulate, statesOf } from "./model.js";
 import { readMatrices } from "./matrices.js";
 import { readStart } from "./start.js";
 import { columnsFrom, isOwn } from "./table.js";
@@ -20,8 +20,22 @@ const HOLE = [55, 75]; // the steps without a measurement
 
 /** What the data depends on. */
 const KEYS = [
-  ...["seed", "pattern", "second", "bias", "dt", "F", "H", "first_x", "first_P", "dirty", "hole"],
-  ...["motion", "text", "file", "sheet", "sign", "missing", "time", "value", "axis", "value2", "factor"],
+  ...["seed", "pattern", "second", "bias", "third", "dt", "F", "H", "first_x", "first_P", "dirty", "hole"],
+  ...[
+    "motion",
+    "text",
+    "file",
+    "sheet",
+    "sign",
+    "missing",
+    "time",
+    "value",
+    "axis",
+    "value2",
+    "factor",
+    "value3",
+    "factor3",
+  ],
 ];
 
 /**
@@ -57,8 +71,8 @@ function startOf(s, { z, m }) {
 
 /** A filter may have the wrong pattern: the data of a single quantity moves by the same one, always. */
 function madeUp(s, { F, H }) {
-  const isSingle =
-    (s.second === SECOND.NONE || (s.second === SECOND.ITSELF && !s.bias)) && s.pattern !== PATTERN.OWN;
+  const isAlone = s.second === SECOND.NONE || (s.second === SECOND.ITSELF && !s.bias && !s.third);
+  const isSingle = isAlone && s.pattern !== PATTERN.OWN;
   const pattern = isSingle ? PATTERN.VELOCITY : s.pattern;
   const truth = { ...s, pattern, q: TRUE_Q[pattern], R: TRUE_R, R2: TRUE_R2, x0: 0, P0: 1 };
   const { z, x, u } = simulate(truth, generator(s.seed), STEPS, F, H);
@@ -103,11 +117,17 @@ export function usesSecond(s, rows_of_H) {
   return s.pattern === PATTERN.OWN ? rows_of_H > 1 : s.second !== SECOND.NONE;
 }
 
+/** How many columns does the filter use? */
+export function columnsUsed(s, rows_of_H) {
+  const isThird = hasInput(s) && s.second !== SECOND.DRIVES;
+  return 1 + Number(usesSecond(s, rows_of_H)) + Number(isThird);
+}
+
 function brought(s, rows_of_H) {
-  const { t, first, second, note } = columnsFrom(s, usesSecond(s, rows_of_H));
+  const { t, first, second, third, note } = columnsFrom(s, columnsUsed(s, rows_of_H));
   const other = second?.map((value) => value * s.factor);
-  const isInput = s.pattern !== PATTERN.OWN && s.second === SECOND.DRIVES;
-  const m = other && !isInput ? 2 : 1;
+  const isSecond = s.pattern !== PATTERN.OWN && s.second === SECOND.DRIVES;
+  const m = other && !isSecond ? 2 : 1;
   const z = new Float64Array(m * first.length);
   for (let k = 0; k < first.length; k++) {
     z[m * k] = first[k];
@@ -116,7 +136,8 @@ function brought(s, rows_of_H) {
     }
   }
   const times = t === null ? evenTimes(s, first.length) : unevenTimes(t);
-  const { u, held } = isInput ? heldInput(other) : { u: null, held: null };
+  const input = isSecond ? other : third?.map((value) => value * s.factor3);
+  const { u, held } = input ? heldInput(input) : { u: null, held: null };
   return { ...times, z, m, u, truth: null, note, held };
 }
 

@@ -5,6 +5,10 @@ export const WRONG = {
     id: "Tabel ini tidak punya kolom kedua: pilihlah “tidak dipakai” di bawah “2 Gerak”.",
     en: "This table has no second column: choose “not used” below “2 Motion”.",
   },
+  no_third: {
+    id: "Tabel ini tidak punya kolom ketiga: pilihlah “tidak dipakai” di bawah “2 Gerak”.",
+    en: "This table has no third column: choose “not used” below “2 Motion”.",
+  },
   empty_input: {
     id: "Kolom masukan yang diketahui kosong: pilihlah kolom lain.",
     en: "The column of the known input is empty: choose another one.",

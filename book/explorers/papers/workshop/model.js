@@ -51,7 +51,7 @@ function patternModel(p, noise, dt) {
     n,
     F: each(transition, n * n),
     Q: each(processNoise, n * n),
-    B: p.second === SECOND.DRIVES ? each(drive, n) : null,
+    B: hasInput(p) ? each(drive, n) : null,
     H: H_rows,
     R: noise.slice(0, H_rows.length),
     x0: p.x0,
@@ -151,6 +151,12 @@ export function statesOf(p, F = OWN_F) {
   return p.pattern === PATTERN.OWN ? F.length : ORDER[p.pattern] + hasBias(p);
 }
 
+/** Is the second column, or the third beside a second sensor, a known input? */
+export function hasInput(p) {
+  const isThird = Boolean(p.third) && p.second !== SECOND.NONE;
+  return p.pattern !== PATTERN.OWN && (p.second === SECOND.DRIVES || isThird);
+}
+
 /** Is the bias of the second column a state? */
 export function hasBias(p) {
   return Boolean(p.bias) && p.second !== SECOND.NONE && p.pattern !== PATTERN.OWN;
@@ -197,7 +203,7 @@ export function simulate(p, rng, steps = STEPS, F = OWN_F, H = OWN_H) {
   } else if (hasBias(p)) {
     x0[made.n - 1] = trueBias(p);
   }
-  const bias = p.bias ? trueBias(p) : 0;
+  const bias = p.bias && p.second === SECOND.DRIVES ? trueBias(p) : 0;
   const wave = (_, k) => bias + heightOfWave(p) * Math.sin((2 * Math.PI * k) / PERIOD);
   const u = made.B ? Float64Array.from({ length: steps }, wave) : null;
   return simulateModel(withFunctions(made), steps, rng, u, x0);

@@ -52,28 +52,41 @@ export function isTimed(s) {
   return table !== null && (Boolean(s.motion) || chosenColumns(s, table).time !== null);
 }
 
-/**
- * {t (T) or null, first (T), second (T) or null, note}: the columns that are used, where rows without a time
- * are left out and equal times averaged.
- */
-export function columnsFrom(s, needsSecond) {
-  const table = s.motion ? recorded(s.motion) : broughtTable(s);
+/** {time, value, other, input}: the names of the columns that are used, one to three; InputError: too few. */
+function namesOf(s, table, used) {
   const { time, value } = s.motion ? { time: "t", value: s.axis || table.value } : chosenColumns(s, table);
   const others = [...table.columns.keys()].filter((name) => name !== time && name !== value);
   const other = table.columns.has(s.value2) ? s.value2 : others[0];
-  if (needsSecond && !other) {
+  const input = table.columns.has(s.value3) ? s.value3 : others.find((name) => name !== other);
+  if (used > 1 && !other) {
     throw new InputError(WRONG.no_second);
   }
+  if (used > 2 && !input) {
+    throw new InputError(WRONG.no_third);
+  }
+  return { time, value, other, input };
+}
+
+/**
+ * {t (T) or null, first (T), second (T), third (T), note}: the columns that are used, one to three, where
+ * rows without a time are left out and equal times averaged; null: it is not used.
+ */
+export function columnsFrom(s, used) {
+  const table = s.motion ? recorded(s.motion) : broughtTable(s);
+  const names = namesOf(s, table, used);
+  const { time, value } = names;
   const about = { ...table, time };
-  const { t, z, notes } = seriesOf(about, { time, value, unit: "s" }); // in whatever unit it is
-  const second = needsSecond ? seriesOf(about, { time, value: other, unit: "s" }).z : null;
+  const series = (name) => seriesOf(about, { time, value: name, unit: "s" }); // in whatever unit it is
+  const { t, z, notes } = series(value);
+  const second = used > 1 ? series(names.other).z : null;
+  const third = used > 2 ? series(names.input).z : null;
   if (z.length < LEAST_ROWS) {
     throw new InputError(WRONG.short);
   }
   const [unit, scaled] = inLongUnits(t, table.units[time]);
-  const words = { value, other, time: time ?? "k", unit: unit ? ` (${unit})` : "" };
-  const taken = inBoth(needsSecond ? NOTES.taken_two : NOTES.taken, words);
-  return { t: scaled, first: z, second, note: joined([...notes.map(ended), taken, table.note]) };
+  const words = { ...names, time: time ?? "k", unit: unit ? ` (${unit})` : "" };
+  const taken = inBoth([NOTES.taken, NOTES.taken_two, NOTES.taken_three][used - 1], words);
+  return { t: scaled, first: z, second, third, note: joined([...notes.map(ended), taken, table.note]) };
 }
 
 /** Times in seconds with long steps are told in hours or days: then no number is tiny. */

@@ -43,6 +43,10 @@ export const NOTES = {
     id: "Yang disaring: {value} dan {other}; waktunya: {time}{unit}.",
     en: "Filtered are {value} and {other}; their times are {time}{unit}.",
   },
+  taken_three: {
+    id: "Yang disaring: {value} dan {other}; masukannya: {input}; waktunya: {time}{unit}.",
+    en: "Filtered are {value} and {other}; the input is {input}; their times are {time}{unit}.",
+  },
   held: {
     id: "Masukan yang kosong ({gaps} baris) dianggap tidak berubah.",
     en: "Where the input is missing ({gaps} rows), it is taken not to have changed.",
@@ -65,6 +69,9 @@ export const CONTROLS = {
   value2: { id: "Kolom kedua", en: "The second column" },
   next_column: { id: "kolom berikutnya", en: "the next column" },
   factor: { id: "kolom kedua dikalikan dengan", en: "the second column is multiplied by" },
+  value3: { id: "Kolom ketiga", en: "The third column" },
+  factor3: { id: "kolom ketiga dikalikan dengan", en: "the third column is multiplied by" },
+  third: { id: "Kolom ketiga dari data", en: "The third column of the data" },
   back: { id: "Kembali ke data sintetis", en: "Back to synthetic data" },
   new_noise: { id: "Derau baru", en: "New noise" },
   pattern: { id: "Bagaimana besaran itu berubah?", en: "How does the quantity change?" },

@@ -1,7 +1,7 @@
 // The filter that was built as a program: with kalman_lib, or with filterpy. Both read the CSV of the page.
 import { gateLimit } from "../filter.js";
 import { GATE } from "../estimate.js";
-import { PATTERN, SECOND, continuous, hasBias, modelOf } from "../model.js";
+import { PATTERN, SECOND, continuous, hasBias, hasInput, modelOf } from "../model.js";
 import { CODE } from "../words.js";
 
 export const CSV_NAME = "workshop.csv";
@@ -169,7 +169,7 @@ function stepLines(p) {
   const Q = each((i, j) => (i < order && j < order ? noiseOf(order - 1 - i, order - 1 - j) : "0"));
   const Qc = p.pattern === PATTERN.CONSTANT ? 0 : p.q;
   const lines = ["h = dt[k]", `F = ${matrixCode(F)}`, `Q = ${Qc} * ${matrixCode(Q)}`];
-  if (p.second === SECOND.DRIVES) {
+  if (hasInput(p)) {
     const B = Array.from({ length: n }, (_, i) => [i < order ? chain(order - i) : "0"]);
     lines.push(`B = ${matrixCode(B)}`);
   }
