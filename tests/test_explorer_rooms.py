@@ -17,6 +17,7 @@ PAGE = """<!doctype html><html lang="{language}"><meta charset="utf-8"><title>.<
 TABLE = "time (s)\tlevel (cm)\n" + "\n".join(f"{k}\t{20 + k % 3}" for k in range(12))
 PHONE = {"workshop": "", "gyro": ' view="drift"', "quadrotor": ' view="tilt"'}
 SAID = {"id": "sambungkan jaringan", "en": "connect to the network"}
+FRAMES = "() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
 OWN_ROWS = "e => e.explorer.r?.data.note && !e.explorer.r.data.truth && e.explorer.r.T"
 
 
@@ -123,7 +124,7 @@ def test_a_pasted_table_is_read_when_its_reader_is_there(opened):
     one.element.locator("textarea[id$='-text']").fill(TABLE)
     one.message().get_by_text("One moment").wait_for()
     one.element.locator("textarea[id$='-text']").fill(TABLE + "\n12\t21")
-    shown(one.element)
+    one.page.evaluate(FRAMES)
     assert one.element.evaluate("e => Array.from(e.explorer.r.result.x)") == before
     one.release()
     assert one.wait(OWN_ROWS) == 13
