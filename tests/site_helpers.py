@@ -55,14 +55,14 @@ IMAGES = """() => [...document.images].map(image => ({
 ORDER = r"""() => {
   const wrong = [];
   const levelOf = heading => Number(heading.ariaLevel || heading.tagName[1]);
-  const anyHeading = ':is(article, .slides) :is(h1, h2, h3, h4, h5, h6)';
+  const anyHeading = ':is(article, #text) :is(h1, h2, h3, h4, h5, h6)';
   const headings = [...document.querySelectorAll(anyHeading)];
   headings.reduce((above, heading) => {
     if (levelOf(heading) > above + 1) wrong.push(`h${above} above: ${heading.textContent}`);
     return levelOf(heading);
   }, 0);
   if (headings.filter(heading => levelOf(heading) === 1).length !== 1) wrong.push('not one h1');
-  const filled = [...document.querySelectorAll('table')].filter(table => table.rows.length);
+  const filled = [...document.querySelectorAll('table')].filter(table => table.textContent.trim());
   for (const table of filled) {
     const heads = [...table.querySelectorAll('th')];
     if (!heads.length || !heads.every(head => head.textContent.trim())) {
@@ -72,7 +72,7 @@ ORDER = r"""() => {
   for (const equation of document.querySelectorAll('.katex')) {
     const spoken = equation.querySelector('.katex-mathml > math');
     const shown = equation.querySelector('.katex-html[aria-hidden=true]');
-    const isHidden = equation.closest('[aria-hidden=true]');
+    const isHidden = equation.closest('[aria-hidden=true]:not(section)'); // but slides to come
     if (!spoken || !shown || isHidden || getComputedStyle(spoken).display === 'none') {
       wrong.push(`equation: ${equation.textContent.slice(0, 40)}`);
     }
