@@ -12,6 +12,7 @@ import launch
 import licences
 import light
 import mend
+import older
 import policy
 import slides
 import steady
@@ -71,6 +72,7 @@ def finish_pages(folder, language):
     remove_old_pictures(folder)
     mend.mend(folder, language)
     launch.add_links(folder, language)
+    older.lead_to_newest(folder, language)
     policy.take_out_scripts(folder)
     embeds.show_lines(folder, language)
     sheet = embeds.sheet_of(folder)
