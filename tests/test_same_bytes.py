@@ -14,6 +14,7 @@ from openpyxl import load_workbook
 sys.path.insert(0, str(ROOT / "book" / "_make"))
 
 import assemble
+from wheel import write_wheel
 
 CONFIG = yaml.safe_load((ROOT / "_config.yml").read_text(encoding="utf-8"))
 DAY = datetime.date.fromisoformat(CONFIG["sphinx"]["config"]["book_edition"]["date"])
@@ -46,7 +47,7 @@ class Calendar:
 
 def build(folder):
     assemble.write_workbook(folder / "kalman.xlsx")
-    assemble.write_zip("en", folder / "kalman-filter.zip")
+    assemble.write_zip("en", folder / "kalman-filter.zip", write_wheel(folder))
 
 
 @pytest.mark.parametrize("name", ["kalman.xlsx", "kalman-filter.zip"])
