@@ -59,6 +59,7 @@ lite: book ## add JupyterLite, where chapters run in the browser: _build/site/li
 	$(PYTHON) -m venv _build/lite-env
 	_build/lite-env/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes -r book/lite/needs.lock
 	$(PY) book/_make/lite.py $(CURDIR)/_build/lite-env/bin/python "$(PYODIDE)"
+	$(PY) -m pytest -q tests/lite_checks.py
 
 release: pdf wheel ## what a release hands over: archives and PDFs of both languages and the wheel, in _build/release
 	rm -rf _build/release && mkdir -p _build/release
