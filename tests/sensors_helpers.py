@@ -140,7 +140,10 @@ def result_of(element, *names):
 
 
 def motion_of(element):
-    """The motion in the state, as arrays: {t, gyr (T, 3), acc (T, 3), heading}."""
+    """The motion in the state, as arrays: {t, gyr (T, 3), acc (T, 3), heading}; it may come late,
+    when what reads it must be fetched first."""
+    handle = element.element_handle()
+    element.page.wait_for_function("e => e.explorer.s.motion", arg=handle)
     told = element.evaluate("""e => {
       const { t, gyr, acc, heading, live } = e.explorer.s.motion;
       const list = values => Array.from(values, value => Number.isNaN(value) ? null : value);

@@ -6,6 +6,8 @@ host of its own. The whole book without a network: test_site_use.py.
 
 import contextlib
 import http.server
+import itertools
+import os
 import shutil
 import sys
 import threading
@@ -18,6 +20,7 @@ sys.path.insert(0, str(ROOT / "book" / "_make"))
 
 import kept
 
+DAYS = itertools.count(1_500_000_000, 86_400)  # when the files of a version were written
 PAGES = ("book/intro.html", "notebooks/01_theory.html", "notebooks/02_smoother.html")
 PAGE = """<!DOCTYPE html><html lang="{language}" data-content_root="../"><meta charset="utf-8">
 <link rel="icon" href="data:,"><link rel="alternate" hreflang="x-default" href="../../index.html">
@@ -40,6 +43,9 @@ def write_site(folder, version, monkeypatch):
         kept.write_language(language, PAGES[0])
     (folder / "index.html").write_text("<!DOCTYPE html><title>Choose</title><h1>Choose</h1>")
     kept.write_root(PAGES[0])
+    day = next(DAYS)  # a host tells seconds only: two versions of one second would be the same
+    for path in folder.rglob("*"):
+        os.utime(path, (day, day))
 
 
 class Host(http.server.SimpleHTTPRequestHandler):

@@ -53,8 +53,8 @@ def test_a_recording_is_kept_replayed_in_another_chapter_with_other_settings_and
     other = explorer(phone_page, "quadrotor")
     box = other.locator(".explorer-control.sensor select")
     box.select_option(index=1)
-    shown(other)
     after = motion_of(other)
+    shown(other)
     for name in ("t", "gyr", "acc", "heading"):
         assert np.allclose(after[name], before[name], rtol=1e-8, atol=1e-8), name
     assert not after["live"] and other.evaluate("e => e.explorer.s.when") == 10
