@@ -147,9 +147,8 @@ def note_trouble(page, base):
             trouble.append(f"asks {request.url}")
 
     def on_failure(request):
-        is_replaced = request.url.startswith("blob:") or request.is_navigation_request()
-        if "ABORTED" in request.failure and is_replaced:
-            return  # given up, for the next page came first
+        if "ABORTED" in request.failure:
+            return  # given up, for the next page came first, or a smaller window another font
         trouble.append(f"failed {request.url} ({request.failure})")
 
     def on_response(response):
