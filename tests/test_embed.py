@@ -133,6 +133,16 @@ def test_a_new_explorer_gets_its_line_by_itself(address, tmp_path, monkeypatch):
     )
 
 
+@pytest.mark.parametrize("paper", ["gyro", "quadrotor", "workshop", "ship"])
+def test_a_frame_lets_an_explorer_that_listens_to_a_phone_do_so(paper):
+    """Elsewhere a frame has no sensors, unless the line for it grants them."""
+    embed = embeds.Embed(paper, None, "A name", f"notebooks/{paper}", "")
+    frame = BeautifulSoup(embeds.line(embed, "en", ""), "html.parser").iframe
+    granted = set(frame["allow"].split("; ")) - {"clipboard-write"}
+    sensors = {"accelerometer", "gyroscope", "magnetometer"}
+    assert granted == (set() if paper == "ship" else sensors)
+
+
 # --- in a browser -------------------------------------------------------------------------------
 
 

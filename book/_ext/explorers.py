@@ -109,6 +109,12 @@ def scripts(papers):
     return ["core", *papers]
 
 
+def listens(paper, sources=SOURCES):
+    """Does this paper offer the control that listens to a phone's motion sensors?"""
+    modules = (sources / "papers" / paper).rglob("*.js")
+    return any('/own/phone.js"' in path.read_text(encoding="utf-8") for path in modules)
+
+
 def for_notebooks(target=FOR_NOTEBOOKS):
     """Write what kalman_lib.explorer shows in a notebook: a module, its styles, its starts; and
     the exercises for kalman_lib.exercises."""

@@ -183,7 +183,7 @@ def line(embed, language, address):
     """What a lecturer pastes into a page of a course."""
     root = address or PLACEHOLDER[language]
     allowed = "clipboard-write"  # the button that copies a link
-    if "sensors" in explorers.scripts([embed.paper]):
+    if explorers.listens(embed.paper):
         allowed = f"accelerometer; gyroscope; magnetometer; {allowed}"
     return (
         f'<iframe src="{root}/{language}/embed/{embed.key}.html" title="{html.escape(embed.name)}"'
