@@ -10,11 +10,10 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-import yaml
+from settings import about_edition
 from texts import LANGUAGES
 
-ROOT = Path(__file__).resolve().parent.parent.parent
-NOTEBOOKS, CONFIG = ROOT / "notebooks", ROOT / "_config.yml"
+NOTEBOOKS = Path(__file__).resolve().parent.parent.parent / "notebooks"
 FILE = "exercises.json"
 TAG, PROOF = "exercise", "proof"
 KINDS = {  # what an exercise of each kind has beside what all of them have
@@ -86,9 +85,8 @@ def as_json(folder=NOTEBOOKS):
 
 
 def has_solutions():
-    """Does this edition hold the solutions? `solutions` of book_edition in _config.yml says so."""
-    config = yaml.safe_load(CONFIG.read_text(encoding="utf-8"))
-    return config["sphinx"]["config"]["book_edition"]["solutions"]
+    """Does this edition hold the solutions?"""
+    return about_edition()["solutions"]
 
 
 def for_students(about):

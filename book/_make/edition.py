@@ -10,17 +10,16 @@ import re
 import yaml
 from first_cell import wheel_name
 from places import ROOT
+from settings import about_edition, settings
 
 QUOTED = r'"[^"]*"'
 
 
 def edition():
     """{title: {id, en}, authors: [names], address, repository, version, date}"""
-    config = yaml.safe_load((ROOT / "_config.yml").read_text(encoding="utf-8"))
-    indonesian, english = config["title"].split(" | ")
-    authors = [name.strip() for name in config["author"].split(",") if name.strip()]
-    about = config["sphinx"]["config"]["book_edition"]
-    return {**about, "title": {"id": indonesian, "en": english}, "authors": authors}
+    indonesian, english = settings()["title"].split(" | ")
+    authors = [name.strip() for name in settings()["author"].split(",") if name.strip()]
+    return {**about_edition(), "title": {"id": indonesian, "en": english}, "authors": authors}
 
 
 def written(about):
