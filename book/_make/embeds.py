@@ -6,7 +6,6 @@ line on the page for lecturers, by itself. Such a page loads the core and one pa
 on the device, and tells search engines that its chapter is the original.
 """
 
-import hashlib
 import html
 import json
 import re
@@ -19,6 +18,7 @@ import light
 from edition import edition
 from kept import filled
 from lists import contents
+from pages import version
 from places import ROOT, SITE
 
 SOURCE = ROOT / "book" / "embed"
@@ -109,10 +109,6 @@ def write_embeds(language, css):
         page = (folder / f"{embed.page}.html").read_text(encoding="utf-8")
         text = page_of(embed, page, language, versions)
         (folder / "embed" / f"{embed.key}.html").write_text(text, encoding="utf-8")
-
-
-def version(path):
-    return hashlib.sha256(path.read_bytes()).hexdigest()[:8]
 
 
 def page_of(embed, page, language, versions):

@@ -17,7 +17,7 @@ import offline
 from fontTools import subset
 from fontTools.ttLib import TTFont
 from fontTools.varLib import instancer
-from pages import change_all, pages_of, text_of_all, way_up
+from pages import change_all, pages_of, text_of_all, version, way_up
 from PIL import Image
 
 SHEET = "_static/all.css"
@@ -111,10 +111,10 @@ def one_sheet(folder):
     used = {page: sheets_of(folder, page, text) for page, text in texts.items()}
     sheets = in_order(used.values())
     (folder / SHEET).write_text(purged(folder, sheets), encoding="utf-8")
-    version = hashlib.sha256((folder / SHEET).read_bytes()).hexdigest()[:8]
+    here = version(folder / SHEET)
     for page, text in texts.items():
         if used[page]:
-            address = f"{way_up(folder, page)}{SHEET}?v={version}"
+            address = f"{way_up(folder, page)}{SHEET}?v={here}"
             link = f'\n    <link rel="stylesheet" href="{address}">'
             first = LINK.search(text)
             rest = LINK.sub("", text[first.end() :])

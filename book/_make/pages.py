@@ -1,5 +1,7 @@
 """The finished pages of one language, as the steps behind the build read and change them."""
 
+import hashlib
+
 
 def pages_of(folder):
     return sorted(folder.rglob("*.html"))
@@ -19,3 +21,8 @@ def change_all(folder, change):
 def way_up(folder, page):
     """From a page to the folder of its language: "../" as often as needed."""
     return "../" * (len(page.relative_to(folder).parts) - 1)
+
+
+def version(path):
+    """For the address of a file: another content has another address, so no older copy is taken."""
+    return hashlib.sha256(path.read_bytes()).hexdigest()[:8]

@@ -6,10 +6,9 @@ files of this site and no others, so what extensions and theme write into the pa
 CONTRIBUTING.md tells which headers a host should send besides; Netlify takes them from `_headers`.
 """
 
-import hashlib
 import re
 
-from pages import change_all, pages_of, way_up
+from pages import change_all, pages_of, version, way_up
 from places import SITE
 
 SOURCES = {
@@ -58,8 +57,8 @@ def take_out_scripts(folder):
         if scripts and missing:
             raise SystemExit(f"{page}: only other pages hold these scripts: {missing}")
     (folder / START).write_text("\n".join(map(protected, common)), encoding="utf-8")
-    version = hashlib.sha256((folder / START).read_bytes()).hexdigest()[:8]
-    change_all(folder, lambda page, text: without_scripts(folder, page, text, version))
+    here = version(folder / START)
+    change_all(folder, lambda page, text: without_scripts(folder, page, text, here))
     forbid_making_code(folder / "_static" / "doctools.js")
 
 
@@ -76,8 +75,8 @@ def protected(script):
     return f"try {{\n{script}\n}} catch {{ }}"
 
 
-def without_scripts(folder, page, text, version):
-    start = f'<script src="{way_up(folder, page)}{START}?v={version}"></script>'
+def without_scripts(folder, page, text, here):
+    start = f'<script src="{way_up(folder, page)}{START}?v={here}"></script>'
     first = INLINE.search(text)
     if first:
         rest = INLINE.sub("", text[first.end() :])
