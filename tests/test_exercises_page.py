@@ -12,8 +12,6 @@ PAGE = "notebooks/02_smoother"
 FOUND = in_notebook(ROOT / f"{PAGE}.ipynb")
 SAID = {"id": ("Benar.", "Belum."), "en": ("Right.", "Not yet.")}
 
-# --- the page -------------------------------------------------------------------------------------
-
 
 @pytest.fixture(scope="module")
 def pages(tmp_path_factory):
@@ -98,9 +96,8 @@ def test_first_hint_second_hint_then_the_solution(opened):
     verdict = answer(page, "2.2", 55, language)
     assert verdict.locator("[data-hint]").get_attribute("data-hint") == "second"
     solution.locator("summary").click()
-    assert (
-        solution.locator(".katex").first.is_visible() and page.locator(".katex-error").count() == 0
-    )
+    assert solution.locator(".katex").first.is_visible()
+    assert page.locator(".katex-error").count() == 0
 
 
 def test_a_number_that_reads_in_two_ways_is_asked_about(opened):
@@ -152,9 +149,8 @@ def test_the_progress_is_there_after_a_reload_and_in_the_other_language(opened, 
     assert "2 / 6" in page.locator(".exercise-progress").inner_text()
     tab = page.context.new_page()
     trouble_of_tab = listen(tab)
-    other = "en" if language == "id" else "id"
-    for address in (page.url, pages[other].as_uri()):
-        go_until(tab, address, "2 / 6")
+    for path in pages.values():
+        go_until(tab, path.as_uri(), "2 / 6")
         assert tab.locator(".exercise-tick").count() == 2
         assert exercise(tab, "2.2").locator("input").input_value() in ("0.27", "0,27")
         assert exercise(tab, "2.3").locator("input").nth(2).is_checked()

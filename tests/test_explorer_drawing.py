@@ -56,3 +56,39 @@ def test_a_theme_that_changes_while_all_is_hidden_is_seen_afterwards(site, opene
         f"([e, before]) => {{ {PICTURE} return picture(e) !== before; }}",
         arg=[element.element_handle(), before],
     )
+
+
+HELD_PAINTER = """
+  const Quick = Worker, later = setTimeout;
+  let held = [];
+  window.Worker = class extends Quick {
+    set onmessage(hear) {
+      super.onmessage = (event) => (held ? held.push(() => hear(event)) : hear(event));
+    }
+  };
+  window.letGo = () => {
+    const calls = held;
+    held = null;
+    calls.forEach((call) => call());
+  };
+  // nobody tires of waiting for it: THREAD_WAIT of painter.js
+  window.setTimeout = (call, wait, ...more) => (wait === 3000 ? 0 : later(call, wait, ...more));"""
+
+
+def test_what_waits_for_a_painter_that_comes_late_is_waited_for(site, server, chromium):
+    """painted() promises a picture, also before there is anything to draw on."""
+    context = chromium.new_context(service_workers="block")
+    context.add_init_script(HELD_PAINTER)
+    page = context.new_page()
+    page.goto(f"{server}/{pages_with_explorers(site, 'en')[0].relative_to(site).as_posix()}")
+    element = page.locator("kalman-explorer").first
+    element.locator("canvas").first.scroll_into_view_if_needed()
+    assert element.evaluate("""async e => {
+      const [plot] = e.explorer.plots;
+      const before = Boolean(plot.place);
+      const painted = e.explorer.painted();
+      letGo();
+      await painted;
+      return [before, Boolean(plot.place)];
+    }""") == [False, True]
+    context.close()

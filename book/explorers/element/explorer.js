@@ -120,11 +120,13 @@ export class Explorer {
     this.render();
   }
 
-  /** A promise that all that was drawn has been painted. */
-  painted() {
-    return new Promise((done) => {
-      whenPainted(done);
-    });
+  /** A promise that all that was drawn has been painted, also what waited for its sheet. */
+  async painted() {
+    await Promise.all(this.plots.map((plot) => plot.coming));
+    if (this.redrawing) {
+      await new Promise(requestAnimationFrame); // its drawing was asked for first, so it is there now
+    }
+    await new Promise((done) => whenPainted(done));
   }
 
   /** Compute and show the state; if that fails, the figure stays. */
