@@ -77,6 +77,21 @@ def test_phyphox_as_zip_as_folder_and_as_paths(tmp_path):
             np.testing.assert_array_equal(getattr(read_recording(source), key), getattr(want, key))
 
 
+def test_a_folder_of_the_reader_may_be_called_meta(tmp_path):
+    """Only what an app put into a folder of that name is left out."""
+    files, folder = phyphox(TILTED), tmp_path / "meta"
+    want = read_recording(files)
+    (folder / "meta").mkdir(parents=True)
+    (folder / "meta" / "device.csv").write_text("property,value\nversion,1.1\n")
+    for name, content in files.items():
+        (folder / name).write_bytes(content)
+    (folder / "run.zip").write_bytes(zipped(files))
+    for source in (folder / "run.zip", [folder / name for name in files]):
+        np.testing.assert_array_equal(read_recording(source).gyr, want.gyr)
+    (folder / "run.zip").unlink()
+    np.testing.assert_array_equal(read_recording(folder).gyr, want.gyr)
+
+
 def test_phyphox_as_a_workbook_with_a_sheet_per_sensor():
     files, book = phyphox(TILTED), Workbook()
     for name, content in files.items():

@@ -23,7 +23,7 @@ the notes of the result.
     workbook.py     write_workbook; how it looks: workbook_parts.py, what it says: workbook_words.py
 
     recording.py    Recording, read_recording, rest_seconds; served by these, in this order:
-    archives.py     files, folders and archives -> tables
+    archives.py     files, folders and archives -> tables; with sheets.py it shares zips.py
     csvs.py         a table -> Sheet, numbers under headers
     columns.py      a header -> which sensor, axis and unit
     signals.py      sheets -> signals, one a sensor

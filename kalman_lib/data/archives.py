@@ -1,38 +1,23 @@
 """Files, folders and archives of a recording in, {name: bytes} of its tables out."""
 
 import io
-import struct
 import zipfile
-import zlib
-from lzma import LZMAError
 from pathlib import Path
 
 from .errors import InputError
+from .zips import DAMAGED, TEXTS, is_data
 
 MAX_BYTES = 60_000_000  # of all files together: an hour of three sensors at 100 Hz
 MAX_PARTS = 1000  # of an archive
-TEXTS = (".csv", ".txt", ".tsv")
 WORKBOOKS = (".xlsx", ".xls")
 READABLE = (*TEXTS, *WORKBOOKS)
-NOT_DATA = {"meta", "__macosx"}  # folders that phyphox and macOS add
-UNPACKING_ERRORS = (
-    zipfile.BadZipFile,
-    zlib.error,
-    LZMAError,
-    struct.error,
-    EOFError,
-    OSError,
-    NotImplementedError,
-    RuntimeError,
-    ValueError,
-    LookupError,
-    OverflowError,
-)
 
 
 def open_files(files):
     """{name: bytes}, a path or a list of paths -> {name: bytes} of the tables in them."""
-    if not isinstance(files, dict):
+    if isinstance(files, dict):
+        files = {name: content for name, content in files.items() if is_data(name)}
+    else:
         files = _read_paths([files] if isinstance(files, (str, Path)) else files)
     tables = {}
     for name, content in files.items():
@@ -41,7 +26,6 @@ def open_files(files):
         else:
             tables[name] = bytes(content)
         _check_size(_size(tables))
-    tables = {name: content for name, content in tables.items() if _is_data(name)}
     if not tables:
         raise InputError(
             "There is no table in the files; a .csv, .zip or .xlsx export is needed.",
@@ -56,7 +40,7 @@ def _read_paths(paths):
     for path in map(Path, paths):
         if not path.exists():
             raise InputError(f"There is no file {str(path)!r}.", f"Tidak ada berkas {str(path)!r}.")
-        found += sorted(path.rglob("*")) if path.is_dir() else [path]
+        found += _in_folder(path) if path.is_dir() else [path]
     found = [
         path for path in found if path.is_file() and path.suffix.lower() in (*READABLE, ".zip")
     ]
@@ -64,13 +48,16 @@ def _read_paths(paths):
     return {str(path): path.read_bytes() for path in found}
 
 
+def _in_folder(folder):
+    paths = sorted(folder.rglob("*"))
+    return [path for path in paths if is_data(path.relative_to(folder).as_posix())]
+
+
 def _unpack(name, content, size_so_far):
     """{name/part: bytes} of the tables in an archive."""
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
-            parts = [
-                part for part in archive.infolist() if part.filename.lower().endswith(READABLE)
-            ]
+            parts = [part for part in archive.infolist() if _is_table(part.filename)]
             if len(parts) > MAX_PARTS:
                 raise _too_many(name, len(parts))
             _check_size(size_so_far + sum(part.file_size for part in parts))  # before unpacking
@@ -82,7 +69,7 @@ def _unpack(name, content, size_so_far):
             return tables
     except InputError:
         raise
-    except UNPACKING_ERRORS:
+    except DAMAGED:
         raise InputError(
             f"The archive {_short(name)} cannot be unpacked: it is damaged or locked; export it "
             "again.",
@@ -101,9 +88,8 @@ def _too_many(name, parts):
     )
 
 
-def _is_data(name):
-    folders = Path(name.lower()).parts[:-1]
-    return not NOT_DATA & set(folders)
+def _is_table(path):
+    return path.lower().endswith(READABLE) and is_data(path)
 
 
 def _size(tables):

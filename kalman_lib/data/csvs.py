@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .archives import TEXTS
 from .cells import quoted, to_number
 from .clock import NoTimes, is_time, moment, seconds_of
 from .columns import is_wanted, read_header
@@ -16,6 +15,7 @@ from .grid import decode
 from .limits import too_wide
 from .table import read_sheets
 from .xls import read_xls
+from .zips import TEXTS
 
 MAX_ROWS = 2_000_000  # of a file
 MAX_COLUMNS = 1000

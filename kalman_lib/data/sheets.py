@@ -6,36 +6,17 @@ every row and cell up to the last one, however far away it is.)
 
 import io
 import posixpath
-import struct
 import zipfile
-import zlib
-from lzma import LZMAError
-from xml.parsers.expat import ExpatError
 
 from . import openxml
 from .cells import is_number, quoted
 from .errors import InputError
 from .grid import decode, split
 from .limits import MAX_BYTES, too_large
+from .zips import DAMAGED, TEXTS, is_data
 
 MAX_PART = 50_000_000  # bytes of one part of the archive
 MAX_PARTS = 10_000
-TEXTS = (".csv", ".txt", ".tsv")
-NOT_DATA = {"meta", "__macosx"}  # folders that phyphox and macOS add
-DAMAGED = (
-    zipfile.BadZipFile,
-    zlib.error,
-    LZMAError,
-    struct.error,
-    ExpatError,
-    EOFError,
-    OSError,
-    NotImplementedError,
-    RuntimeError,
-    ValueError,
-    LookupError,
-    OverflowError,
-)
 
 
 def grids(name, content, skip=()):
@@ -87,7 +68,7 @@ def _grids(name, archive, skip):
 
 def _texts(name, archive, paths):
     """The same of an archive of texts, as phone apps export: each is a sheet of its own."""
-    texts = [path for path in paths if _is_text(path.lower())]
+    texts = [path for path in paths if path.lower().endswith(TEXTS) and is_data(path)]
     if not texts:
         raise _no_workbook(name)
     size = 0
@@ -100,10 +81,6 @@ def _texts(name, archive, paths):
         grid = split(text.removeprefix("\ufeff"), None)[0] if text else []
         if any(is_number(cell) for _, cells in grid for cell in cells):
             yield path, grid
-
-
-def _is_text(path):
-    return path.endswith(TEXTS) and not NOT_DATA & set(path.split("/")[:-1])
 
 
 def _part(name, archive, path):

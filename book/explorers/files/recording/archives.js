@@ -29,20 +29,19 @@ export async function openFiles(files) {
     found.forEach(([path, content]) => tables.set(path, content));
     checkSize(sizeOf(tables));
   }
-  const known = [...tables].filter(([name]) => isData(name));
-  if (known.length === 0) {
+  if (tables.size === 0) {
     throw wrong(
       "There is no table in the files; a .csv, .zip or .xlsx export is needed.",
       "Tidak ada tabel dalam berkas; diperlukan ekspor .csv, .zip atau .xlsx.",
     );
   }
-  return known;
+  return [...tables];
 }
 
 /** [[name/part, bytes], ...] of the tables in an archive. */
 async function unpack(name, bytes, before) {
   try {
-    const parts = [...directoryOf(bytes)].filter(([path]) => endsWith(path, READABLE));
+    const parts = [...directoryOf(bytes)].filter(([path]) => endsWith(path, READABLE) && isData(path));
     if (parts.length > MAX_PARTS) {
       throw tooMany(name, parts.length);
     }
@@ -81,8 +80,9 @@ function tooMany(name, parts) {
   );
 }
 
-function isData(name) {
-  const folders = name.toLowerCase().split("/").filter(Boolean).slice(0, -1);
+/** Does a part of an archive lie outside the folders that apps add? */
+function isData(path) {
+  const folders = path.toLowerCase().replaceAll("\\", "/").split("/").slice(0, -1);
   return !folders.some((folder) => NOT_DATA.includes(folder));
 }
 
