@@ -7,22 +7,10 @@ from math import sqrt
 import numpy as np
 import pytest
 from filterpy.kalman import KalmanFilter
+from gyro_cases import PAPER, RUNS, case, fly
 
 from kalman_lib import chi2_bounds, kalman_filter, nees, nis
 from kalman_lib.papers import gyro
-
-RUNS = 20_000
-PAPER = {4: (10, 10, 28, 6), 5: (10, 1, 3.2, 2.3), 6: (1, 10, 23, 2), 7: (1, 1, 3, 0.8)}
-
-
-def case(figure, **changes):
-    sigma_w, sigma_v, *_ = PAPER[figure]
-    return replace(gyro.Params(), sigma_w=sigma_w, sigma_v=sigma_v, **changes)
-
-
-def fly(p, seed=0, runs=None):
-    flight = gyro.simulate(p, np.random.default_rng(seed), runs)
-    return flight, kalman_filter(gyro.model(p), flight.z, flight.u)
 
 
 def the_paper_s_program(z, x_hat, u=1.0, dt=0.1, process=10.0, measurement=10.0):

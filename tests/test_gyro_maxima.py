@@ -1,26 +1,13 @@
 """Chapter 3: the eight maxima that the paper prints, against 20,000 simulated runs."""
 
-from dataclasses import replace
 from math import erf, sqrt
 
 import numpy as np
 import pytest
+from gyro_cases import PAPER, RUNS, case, fly
 
-from kalman_lib import kalman_filter, plots
+from kalman_lib import plots
 from kalman_lib.papers import gyro
-
-PAPER = {4: (10, 10, 28, 6), 5: (10, 1, 3.2, 2.3), 6: (1, 10, 23, 2), 7: (1, 1, 3, 0.8)}
-RUNS = 20_000
-
-
-def case(figure, **changes):
-    sigma_w, sigma_v, *_ = PAPER[figure]
-    return replace(gyro.Params(), sigma_w=sigma_w, sigma_v=sigma_v, **changes)
-
-
-def fly(p, seed=0, runs=None):
-    flight = gyro.simulate(p, np.random.default_rng(seed), runs)
-    return flight, kalman_filter(gyro.model(p), flight.z, flight.u)
 
 
 @pytest.fixture(scope="module")
