@@ -18,6 +18,18 @@ SHIFTS = """
   const add = list => list.getEntries().forEach(count);
   new PerformanceObserver(add).observe({ type: 'layout-shift', buffered: true });"""
 
+SLOW_4G = {  # as Lighthouse has it: bytes a second, ms
+    "offline": False,
+    "latency": 562.5,
+    "downloadThroughput": 184_320,
+    "uploadThroughput": 84_375,
+}
+SLOW_CPU = 4  # times slower
+LARGEST = """
+  window.largest = 0;
+  const last = list => list.getEntries().forEach(e => { largest = e.startTime; });
+  new PerformanceObserver(last).observe({ type: 'largest-contentful-paint', buffered: true });"""
+
 
 class Packing(http.server.SimpleHTTPRequestHandler):
     """A static host that sends texts packed with gzip, as hosts do."""
@@ -63,3 +75,18 @@ def first_view(browser, address):
     shifted = page.evaluate("shifted")
     context.close()
     return sum(fetched), len(fetched), shifted
+
+
+def largest_paint(browser, address):
+    """ms until the largest thing of the first screen is painted (LCP), at slow 4G and 4x CPU."""
+    context = browser.new_context(service_workers="block", **PHONE)
+    page = context.new_page()
+    page.add_init_script(LARGEST)
+    devtools = context.new_cdp_session(page)
+    devtools.send("Network.enable")
+    devtools.send("Network.emulateNetworkConditions", SLOW_4G)
+    devtools.send("Emulation.setCPUThrottlingRate", {"rate": SLOW_CPU})
+    page.goto(address, wait_until="networkidle")
+    largest = page.evaluate("largest")
+    context.close()
+    return largest
