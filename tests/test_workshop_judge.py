@@ -2,9 +2,11 @@
 
 import numpy as np
 import pytest
+from conftest import ROOT
 from workshop_helpers import OWN, as_text, own_data, pasted, shown
 
 from kalman_lib import LinearModel, discretise, fit, kalman_filter, nis, whiteness
+from kalman_lib.data import read_table
 from kalman_lib.papers import workshop
 
 Params = workshop.Params
@@ -121,7 +123,7 @@ def test_outliers_are_named_and_the_gate_mends_them(bundle):
     data = own_data(Params(), outliers=True, steps=200)
     assert "are far larger than the others: try the gate" in verdict(bundle, data)
     said = verdict(bundle, data, gate=True)
-    assert said.startswith("The filter passes") and "left out 14 measurements" in said
+    assert said.startswith("The filter passes") and "left out 14 of 200 measurements" in said
 
 
 def test_a_gate_that_leaves_out_too_much_is_named(bundle):
@@ -139,6 +141,19 @@ def test_a_pattern_that_does_not_suit_is_named(bundle):
     data = {"t": t, "z": 10 * np.sin(2 * np.pi * t / 12) + rng.normal(0, 0.5, 300)}
     for state in (dict(pattern=2, likely=True), dict(pattern=3, likely=True)):
         assert "try another pattern" in verdict(bundle, data, **state)
+
+    said = verdict(bundle, data, pattern=2, R=10)
+    assert "try another pattern" in said and "R is" not in said  # R is not to blame
+
+
+def test_outliers_are_named_although_a_noise_fitted_to_them_passes(bundle):
+    """The lift of the chapter: five readings are metres off, and R may well be made large."""
+    table = read_table(ROOT / "notebooks/data/lift.csv", missing=-999)
+    t, z, _ = table.series()
+    said = verdict(bundle, {"t": t, "z": z}, likely=True)
+    assert said.startswith("With the most likely noise the filter passes")
+    assert "is no proof" in said and "far larger than the others: try the gate" in said
+    assert "5 of" in verdict(bundle, {"t": t, "z": z}, likely=True, gate=True)
 
 
 def test_few_measurements_are_not_judged(bundle):

@@ -52,7 +52,7 @@ export const SENSORS = {
 
 export const STATUS = {
   private: {
-    id: "Bacaan sensor tetap di alat ini; tidak ada yang dikirim.",
+    id: "Bacaan sensor tetap di perangkat ini; tidak ada yang dikirim.",
     en: "The readings stay on this device; nothing is sent.",
   },
   synthetic: { id: "Gambar ini memakai data sintetis.", en: "The figure shows synthetic data." },

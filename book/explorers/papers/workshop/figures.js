@@ -3,6 +3,7 @@ import { PATTERN } from "./model.js";
 import { LABELS, PLOTS } from "./words.js";
 
 const SURE = 1.96;
+const BEGINNING = 0.25; // the share of the steps in which the band of a rate may be wider than the figure
 
 /** Entry i of every step, of an array with so many a step. */
 export function column(values, size, i) {
@@ -56,8 +57,9 @@ function drawRate(r) {
   const { data, result } = r;
   const { x, low, high } = band(r, 1);
   const settled = x.subarray(result.n);
+  const later = (values) => values.subarray(Math.floor(BEGINNING * values.length));
   return {
-    ylim: limitsOf(settled, data.truth ? column(data.truth, data.states, 1) : settled),
+    ylim: limitsOf(settled, later(low), later(high), data.truth ? column(data.truth, data.states, 1) : []),
     layers: [
       { look: "band", x: data.t, low, high, label: "±2√P" },
       data.truth && { look: "truth", x: data.t, y: column(data.truth, data.states, 1), label: "x_true" },

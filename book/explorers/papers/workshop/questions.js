@@ -10,8 +10,8 @@ export function question(r, s, t, random) {
   const given = { k: String(k + 1), P_pred: P_pred[k * n * n], R: r.p.R };
   const about = {
     text: {
-      id: "Langkah {k}: varians prediksi besaran itu {P_pred}, dan R = {R}. Berapa S sensor 1?",
-      en: "Step {k}: the predicted variance of the quantity is {P_pred}, and R = {R}. What is S of sensor 1?",
+      id: "Pada k = {k}: varians prediksi besaran itu {P_pred}, dan R = {R}. Berapa S sensor 1?",
+      en: "At k = {k}: the quantity's predicted variance is {P_pred}, and R = {R}. What is S of sensor 1?",
     },
     answer: S[k * m * m],
     tolerance: 0.005,

@@ -84,7 +84,8 @@ export function columnsFrom(s, used) {
     throw new InputError(WRONG.short);
   }
   const [unit, scaled] = inLongUnits(t, table.units[time]);
-  const words = { ...names, time: time ?? "k", unit: unit ? ` (${unit})` : "" };
+  const isSaid = !unit || time.endsWith(`(${unit})`);
+  const words = { ...names, time: time ?? "k", unit: isSaid ? "" : ` (${unit})` };
   const taken = inBoth([NOTES.taken, NOTES.taken_two, NOTES.taken_three][used - 1], words);
   return { t: scaled, first: z, second, third, note: joined([...notes.map(ended), taken, table.note]) };
 }

@@ -23,7 +23,7 @@ export function verdict(r, s, t) {
     return [t.say(VERDICT.unlikely, values), ...causes(r, s, t)];
   }
   if (judged.fits) {
-    return [t.say(s.likely ? VERDICT.likely_fits : VERDICT.fits, values)];
+    return [t.say(s.likely ? VERDICT.likely_fits : VERDICT.fits, values), aboutOutliers(r, s, t)];
   }
   return [t.say(whatIsWrong(judged), values), ...causes(r, s, t), found ? "" : t.say(VERDICT.searching)];
 }
@@ -35,18 +35,27 @@ function whatIsWrong({ nis, bounds }) {
   return nis < bounds[0] ? VERDICT.smaller : VERDICT.not_white;
 }
 
-function causes({ judged, found, p }, s, t) {
-  if (judged.far > 0 && !s.gate) {
-    return [t.say(VERDICT.outliers, { count: String(judged.far) })];
+function causes(r, s, t) {
+  const { judged, found, p } = r;
+  const outliers = aboutOutliers(r, s, t);
+  if (outliers) {
+    return [outliers];
+  }
+  const isHopeless = found && !judged.fits && !found.judged.fits;
+  if (isHopeless && found.judged.white.some(({ correlation }) => correlation[0] > 0)) {
+    return [t.say(VERDICT.pattern)]; // late at its best: a noise would be blamed in the place of the pattern
   }
   const said = [];
   for (const [name, likely] of Object.entries(found?.values ?? {})) {
     said.push(aboutNoise(name, likely / p[name], found.none.includes(name), t));
   }
-  if (found && !found.judged.fits && said.filter(Boolean).length === 0) {
-    said.push(t.say(s.likely ? VERDICT.pattern_at_best : VERDICT.pattern));
-  }
-  return said.filter(Boolean);
+  const named = said.filter(Boolean);
+  return isHopeless && named.length === 0 ? [t.say(VERDICT.pattern)] : named;
+}
+
+/** Some innovations are no part of the others, and no gate is there: a filter may pass even so. */
+function aboutOutliers({ judged }, { gate }, t) {
+  return judged.far > 0 && !gate ? t.say(VERDICT.outliers, { count: String(judged.far) }) : "";
 }
 
 /** "R is about three times too small", or nothing. */

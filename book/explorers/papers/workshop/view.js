@@ -11,6 +11,7 @@ import { verdict } from "./verdict.js";
 import { FACTS, NAME, OUTCOME } from "./words.js";
 
 const TABLE_ROWS = 500;
+const LEAST_SHOWN = 0.001; // a smaller probability is not told in digits
 const MOST_MARKS = 200; // of measurements that were left out
 
 function compute(s, memo) {
@@ -60,7 +61,8 @@ function movingAverage(z, window) {
 function outcome(r, s, t) {
   const sentences = verdict(r, s, t);
   if (r.lefts > 0) {
-    sentences.push(t.say(OUTCOME.left, { count: String(r.lefts) }));
+    const all = r.data.z.filter((value) => !Number.isNaN(value)).length;
+    sentences.push(t.say(OUTCOME.left, { count: String(r.lefts), all: String(all) }));
   }
   if (r.found && r.found.rows < r.T && s.likely) {
     sentences.push(t.say(OUTCOME.cut, { rows: String(r.found.rows) }));
@@ -86,7 +88,7 @@ function facts(r, s, t) {
     ],
     ...judged.white.map(({ p: probability }, i) => [
       t.say(judged.white.length > 1 ? FACTS.white_of : FACTS.white, { i: String(i + 1) }),
-      t.decimal(probability, 2),
+      probability < LEAST_SHOWN ? t.say(FACTS.tiny) : t.decimal(probability, 2),
       t.say(FACTS.above),
     ]),
   ];
@@ -122,7 +124,7 @@ function againstTruth({ data, first, result, average, z }, t) {
   return [[t.say(FACTS.rmse), far(first.x), rival]];
 }
 
-/** The matrices of a step, and where the filter starts. */
+/** The matrices of the last step, which is told where steps are uneven, and where the filter starts. */
 function equations(r, s, t) {
   const { n, m, F, H, Q, R } = r.result;
   const { x0, P0 } = modelOf(r.p, r.data);
@@ -132,7 +134,9 @@ function equations(r, s, t) {
       Array.from({ length: width }, (_, j) => t.unbroken(values[i * width + j], 3)),
     );
   const Q_last = Q.length > n * n ? Q.subarray(Q.length - n * n) : Q;
+  const step = r.data.dt ? [[`Δt = ${t.decimal(r.data.dt.at(-1), 3)}  (k = ${r.T})`]] : [];
   return [
+    ...step,
     ["F =", { matrix: rows(F.subarray(last), n, n) }, "Q =", { matrix: rows(Q_last, n, n) }],
     ["H =", { matrix: rows(H, m, n) }, "R =", { matrix: rows(diagonal(R), m, m) }],
     ["x_0 =", { matrix: rows(x0, n, 1) }, "P_0 =", { matrix: rows(P0, n, n) }],

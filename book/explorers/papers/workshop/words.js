@@ -28,7 +28,7 @@ export const SECONDS = {
 
 export const NOTES = {
   made_up: {
-    id: "Datanya sintetis: kecepatannya hampir konstan, q = 0,01 dan R = 9.",
+    id: "Datanya sintetis: kecepatannya hampir tetap, q = 0,01 dan R = 9.",
     en: "The data is synthetic: its velocity is nearly constant, q = 0.01 and R = 9.",
   },
   made_up_so: {
@@ -48,8 +48,8 @@ export const NOTES = {
     en: "Filtered are {value} and {other}; the input is {input}; their times are {time}{unit}.",
   },
   held: {
-    id: "Masukan yang kosong ({gaps} baris) dianggap tidak berubah.",
-    en: "Where the input is missing ({gaps} rows), it is taken not to have changed.",
+    id: "Di mana masukannya kosong (banyaknya baris: {gaps}), ia dianggap tidak berubah.",
+    en: "Where the input is missing (number of rows: {gaps}), it is taken not to have changed.",
   },
   recorded: {
     id: "Data dari sensor perangkat ini: percepatan (acc) dalam m/s², laju putar (gyr) dalam °/s.",
@@ -151,8 +151,12 @@ export const VERDICT = {
     en: "The filter passes: its innovations are as large as it states (NIS {nis}), and white.",
   },
   likely_fits: {
-    id: "Dengan derau yang paling mungkin filter ini lulus: NIS {nis}, dan inovasinya putih.",
-    en: "With the most likely noise the filter passes: NIS {nis}, and its innovations are white.",
+    id:
+      "Dengan derau yang paling mungkin filter ini lulus: inovasinya putih. NIS-nya ({nis}) bukan bukti, " +
+      "sebab derau itu dicocokkan dengan data ini juga.",
+    en:
+      "With the most likely noise the filter passes: its innovations are white. Its NIS ({nis}) is no " +
+      "proof, as that noise was fitted to this very data.",
   },
   shut: {
     id: "Gerbang menolak terlalu banyak untuk disebut pencilan: bukalah dahulu, perbaiki pola dan deraunya.",
@@ -196,17 +200,16 @@ export const VERDICT = {
     en: "{count} innovations are far larger than the others: try the gate below “4 Check”.",
   },
   pattern: {
-    id: "Deraunya sudah wajar, jadi pola geraknya yang belum cocok: cobalah pola lain.",
-    en: "The noise is right, so it is the pattern that does not suit: try another one.",
-  },
-  pattern_at_best: {
     id: "Derau yang paling mungkin pun tidak menolong, jadi cobalah pola gerak yang lain.",
     en: "Even the most likely noise does not help, so try another pattern of motion.",
   },
 };
 
 export const OUTCOME = {
-  left: { id: "Gerbang menolak {count} pengukuran (×).", en: "The gate left out {count} measurements (×)." },
+  left: {
+    id: "Gerbang menolak {count} dari {all} pengukuran (×).",
+    en: "The gate left out {count} of {all} measurements (×).",
+  },
   cut: {
     id: "Derau itu dicari dari {rows} baris pertama.",
     en: "That noise was found from the first {rows} rows.",
@@ -218,12 +221,13 @@ export const FACTS = {
   here: { id: "Di sini", en: "Here" },
   wanted: { id: "Seharusnya", en: "Wanted" },
   nis: { id: "NIS rata-rata", en: "Mean NIS" },
-  between: { id: "{low} sampai {high}", en: "{low} to {high}" },
+  between: { id: "{low} sampai {high} (99%)", en: "{low} to {high} (99%)" },
   inside: { id: "Inovasi di dalam pitanya", en: "Innovations inside their band" },
   percent: { id: "{share}%", en: "{share}%" },
   white: { id: "p inovasi putih", en: "p of white innovations" },
   white_of: { id: "p inovasi putih, sensor {i}", en: "p of white innovations, sensor {i}" },
   above: { id: "di atas 0,01", en: "above 0.01" },
+  tiny: { id: "di bawah 0,001", en: "below 0.001" },
   likely: { id: "{likely} (paling mungkin)", en: "{likely} (most likely)" },
   rmse: { id: "RMSE terhadap nilai sebenarnya", en: "RMSE against the truth" },
   bias: { id: "Bias di akhir, ± 2σ", en: "The bias at the end, ± 2σ" },
