@@ -152,7 +152,7 @@ def test_outliers_are_named_although_a_noise_fitted_to_them_passes(bundle):
     t, z, _ = table.series()
     said = verdict(bundle, {"t": t, "z": z}, likely=True)
     assert said.startswith("With the most likely noise the filter passes")
-    assert "is no proof" in said and "far larger than the others: try the gate" in said
+    assert "is no proof" in said and "innovations are far larger than the others" in said
     assert "5 of" in verdict(bundle, {"t": t, "z": z}, likely=True, gate=True)
 
 

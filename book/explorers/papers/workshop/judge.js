@@ -6,8 +6,10 @@ const SURE = 0.99; // of the bounds outside which a test fails
 const LAGS = 10;
 const FAR = 4; // standard deviations: one in 16 000 of a normal variable lies beyond
 const HALF = 0.6745; // half of a normal variable lies within so many
+const LEAST_USUAL = 0.3; // of sensors that count in steps: half of their innovations say little
 const MANY = 0.004; // the share of them that is no chance
 const FEW = 2; // nor is more than so many
+const MOST = 0.2; // the share of them that are no outliers any more; one disturbs some that follow it
 
 /**
  * {nis, bounds, dof, inside, far, e: one array a sensor, white: [{correlation, band, p}], fits}: the result
@@ -30,8 +32,8 @@ export function judge(result) {
   const nis = total / dof;
   const bounds = dof > 0 ? chi2Bounds(1, dof, SURE) : [NaN, NaN];
   const isWhite = white.every(({ p }) => !(p < 1 - SURE));
-  const usual = Math.max(median(known.map(Math.abs)) / HALF, 1); // whatever the filter says of its noise
-  const far = (1 - share(FAR * usual)) * dof;
+  const usual = Math.max(median(known.map(Math.abs)) / HALF, LEAST_USUAL); // whatever the filter says of it
+  const far = known.filter((value) => Math.abs(value) >= FAR * usual).length;
   return {
     nis,
     bounds,
@@ -40,7 +42,7 @@ export function judge(result) {
     white,
     isWhite,
     inside: share(1.96),
-    far: far > FEW && far > MANY * dof ? Math.round(far) : 0,
+    far: far > FEW && far > MANY * dof && far <= MOST * dof ? far : 0,
     fits: nis > bounds[0] && nis < bounds[1] && isWhite,
   };
 }
