@@ -26,6 +26,7 @@ FIGURE = {"id": "Gambar", "en": "Fig."}  # as on the page
 CITATION = re.compile(r"\{cite(?::\w)?\}`([^`]+)`")
 PAGE_LINK = re.compile(r"\[([^\[\]]*)\]\(\.\./(book/[\w-]+)\.md(#[\w-]+)?\)")
 NOTEBOOK_LINK = re.compile(r"\[([^\[\]]*)\]\(([\w-]+)\.ipynb(#[\w-]+)?\)")
+DATA_LINK = re.compile(r"\[([^\[\]]*)\]\((data/[\w.-]+)\)")
 EMPTY_ALT = re.compile(r'(<kalman-explorer[^>]*><img) alt=""')
 
 
@@ -185,8 +186,10 @@ def lead_to_the_site(cells, place):
     stay."""
     page = rf"[\1]({place.pages}/\2.html\3)" if place.pages else r"\1"
     notebook = rf"[\1]({place.pages}/notebooks/\2.html\3)" if place.pages else r"\1"
+    file = rf"[\1]({place.files}/\2)" if place.files else r"\1"
     for cell in cells:
         if cell["cell_type"] == "markdown":
             cell["source"] = PAGE_LINK.sub(page, "".join(cell["source"]))
             if place.is_alone:
                 cell["source"] = NOTEBOOK_LINK.sub(notebook, cell["source"])
+                cell["source"] = DATA_LINK.sub(file, cell["source"])

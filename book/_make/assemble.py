@@ -42,6 +42,7 @@ NOT_FOR_READERS = (
     "reports",
     "objects.inv",
     "fontawesome",
+    "_downloads",
 )
 
 

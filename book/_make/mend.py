@@ -13,6 +13,13 @@ BRANCH = re.compile(r'<summary>(?=<span class="toctree-toggle")')
 LOGO = re.compile(r'<div class="sidebar-primary-item">(?=\s*<a class="navbar-brand)')
 # Bootstrap's script is left out: what a browser shows for a title is enough
 BOOTSTRAP = re.compile(r'\s+data-bs-(?:placement|toggle)="[^"]*"')
+# A data file lies once on the site, where notebooks ask for it (the theme shows a sign of a font
+# that is left out)
+DOWNLOAD = re.compile(
+    r'<a class="reference download internal" download="" href="([./]*)_downloads/\w+/([^"]+)">'
+    r'<span class="xref download myst">(.*?)</span></a>'
+)
+DATA = r'<a class="reference internal" download href="\1_sources/notebooks/data/\2">\3</a>'
 SKIP = 'href="#main-content"'
 CONTENT = re.compile('(<article class="bd-article"|<div class="bd-search-container")>')
 WORDS = {
@@ -32,6 +39,7 @@ def mended(text, words):
     text = BRANCH.sub(f'<summary aria-label="{words["branch"]}">', text)
     logo = f'<div class="sidebar-primary-item" role="navigation" aria-label="{words["book"]}">'
     text = LOGO.sub(logo, text)
+    text = DOWNLOAD.sub(DATA, text)
     text = BOOTSTRAP.sub("", text.replace("data-bs-title=", "title="))
     if CONTENT.search(text):  # the skip link passes the toolbar, too
         text = text.replace(SKIP, 'href="#text"')

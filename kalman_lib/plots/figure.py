@@ -13,6 +13,7 @@ from PIL import Image
 from .styles import STYLE
 
 WIDTH = 4.8  # inches
+BESIDE = 0.45  # inches of a figure that axes leave to their numbers and names
 SHOWN_WIDTH = 600  # pixels: half of what is drawn
 COLOURS = 96  # a third of the size of a file with all
 
@@ -63,16 +64,22 @@ def new_figure(height, rows=1, columns=1, sharex=False, **names):
 
 
 def add_legend(ax):
-    """A legend above the axes, where it can cover no data."""
+    """A legend above the axes, where it can cover no data, in as many columns as there is room
+    for: a wider one would take its room from the axes."""
     handles, labels = ax.get_legend_handles_labels()
-    if handles:
-        ax.legend(
+    place = ax.get_subplotspec()
+    columns = place.get_gridspec().ncols if place else 1
+    room = ax.figure.bbox.width / columns - BESIDE * ax.figure.dpi
+    for ncols in range(min(len(labels), 4), 0, -1):
+        legend = ax.legend(
             handles,
             labels,
             loc="lower left",
             bbox_to_anchor=(-0.02, 1.0),
-            ncols=min(len(labels), 4),
+            ncols=ncols,
             borderaxespad=0.1,
             columnspacing=1.1,
             handletextpad=0.5,
         )
+        if legend.get_window_extent().width <= room:
+            return
