@@ -18,4 +18,4 @@ def test_a_wide_legend_takes_no_room_from_the_axes(names):
     legend = figure.axes[0].get_legend()
     assert wide == pytest.approx(usual, rel=0.05)
     assert legend.get_window_extent().x1 <= figure.bbox.x1
-    assert [text.get_text() for text in legend.get_texts()][-3:] == list(names)
+    assert set(names) <= {text.get_text() for text in legend.get_texts()}
