@@ -69,9 +69,9 @@ tools: ## install what only the tests need from Debian or Ubuntu: Chromium and L
 	sh .ci/tools
 
 newest: $(VENV)/.npm ## take the newest releases of all requirements instead of the locked ones
-	$(PY) -m pip install --disable-pip-version-check --upgrade -r requirements.txt
+	$(PY) -m pip install --disable-pip-version-check --upgrade --upgrade-strategy eager -r requirements.txt
 
-links: $(BUNDLE) ## follow every link of the book that leads outside (needs a network)
+links: book ## follow every link of the book that leads outside (needs a network)
 	$(PY) book/_make/links.py
 
 lint: lint-py lint-js ## check every source: Ruff, ESLint and Prettier
@@ -129,7 +129,7 @@ $(VENV)/.npm: $(VENV)/.installed book/package-lock.json
 	@touch $@
 
 # The explorers of the notebooks come from the same sources as those of the pages, their ranges from the papers, and the
-# exercises from the notebooks themselves.
-$(BUNDLE): $(VENV)/.npm book/_ext/bundle.mjs book/_ext/modules.mjs $(wildcard notebooks/*.ipynb) $(shell find book/explorers kalman_lib/papers -name '*.js' -o -name '*.css' -o -name '*.py')
+# exercises from the notebooks themselves, with or without their solutions (_config.yml).
+$(BUNDLE): $(VENV)/.npm _config.yml book/_ext/bundle.mjs book/_ext/modules.mjs $(wildcard notebooks/*.ipynb) $(shell find book/explorers kalman_lib/papers -name '*.js' -o -name '*.css' -o -name '*.py')
 	$(PY) book/_ext/explorers.py
 	@touch $@

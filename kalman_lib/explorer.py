@@ -17,7 +17,6 @@ import json
 import math
 from dataclasses import asdict, fields
 
-import anywidget
 import numpy as np
 import traitlets
 from IPython import get_ipython
@@ -28,6 +27,14 @@ from .live.made import made
 from .live.notebook import LANGUAGES, language_of_notebook
 from .live.pictures import picture
 from .papers import check
+
+try:
+    import anywidget
+except ImportError as missing:
+    raise ImportError(
+        "Explorers need anywidget: pip install anywidget. "
+        "(Explorer memerlukan anywidget: pip install anywidget.)"
+    ) from missing
 
 _shown = {}  # cell -> (number of its run, the explorers that it showed then)
 

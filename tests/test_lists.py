@@ -1,6 +1,7 @@
 """Lists that name every chapter or every paper are complete: nothing goes stale in silence."""
 
 import re
+import runpy
 import shutil
 import subprocess
 import sys
@@ -11,6 +12,7 @@ import yaml
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / "book" / "_make"), str(ROOT / "book" / "_ext")]
+import edition  # noqa: E402
 import lists  # noqa: E402
 from texts import filter_markdown  # noqa: E402
 
@@ -77,7 +79,7 @@ def test_who_adopts_the_book_changes_one_file(tmp_path):
     shutil.copytree(ROOT, copy, symlinks=True, ignore=shutil.ignore_patterns(*not_sources))
     config = copy / "_config.yml"
     text = config.read_text(encoding="utf-8")
-    old = re.search(r"^title: (.*) \| (.*)$", text, re.MULTILINE)
+    old = re.search(r'^title: "(.*) \| (.*)"$', text, re.MULTILINE)
     text = text.replace(old[0], "title: Judul Baru | A New Title")
     text = text.replace('author: ""', 'author: "Budi Santoso, Siti Aminah"')
     config.write_text(text.replace('address: ""', 'address: "https://example.org/kf"'), "utf-8")
@@ -97,3 +99,45 @@ def test_who_adopts_the_book_changes_one_file(tmp_path):
     assert cited["preferred-citation"]["title"] == "Judul Baru / A New Title"
     assert [author["name"] for author in cited["authors"]] == ["Budi Santoso", "Siti Aminah"]
     assert cited["url"] == "https://example.org/kf"
+    licence = (copy / "LICENSE").read_text(encoding="utf-8").splitlines()
+    assert licence[:3] == (ROOT / "LICENSE").read_text(encoding="utf-8").splitlines()[:3]
+    assert licence[3] == f"Copyright (c) {cited['date-released'][:4]} Budi Santoso, Siti Aminah"
+    about = (copy / "book" / "about.md").read_text(encoding="utf-8")
+    assert about.count("author  = {Budi Santoso and Siti Aminah},") == 2
+
+
+@pytest.mark.parametrize(
+    "title, author, wanted",
+    [
+        ("Filter", "", (["Filter", "Filter"], [])),
+        ("A | B", "Siti, Budi", (["A", "B"], ["Siti", "Budi"])),
+        ("A: B | C: D", "Siti, M.T.; Budi", (["A: B", "C: D"], ["Siti, M.T.", "Budi"])),
+        ('The "filter"', "", None),
+        ("A\\B", "", None),
+        ("A", "{Siti}", None),
+        ("A | B | C", "", None),
+    ],
+)
+def test_titles_and_authors_are_taken_or_refused_in_a_sentence(title, author, wanted, monkeypatch):
+    changed = {**edition.settings(), "title": title, "author": author}
+    monkeypatch.setattr(edition, "settings", lambda: changed)
+    if wanted is None:
+        with pytest.raises(SystemExit, match="_config.yml: one title"):
+            edition.edition()
+    else:
+        about = edition.edition()
+        assert (list(about["title"].values()), about["authors"]) == wanted
+
+
+def test_lists_that_are_right_are_left_alone(monkeypatch):
+    """make would take what was written again for changed, and install it again."""
+    monkeypatch.setattr(Path, "write_text", lambda *_, **__: pytest.fail("written again"))
+    runpy.run_path(str(ROOT / "book" / "_make" / "lists.py"), run_name="__main__")
+
+
+def test_a_bundle_is_made_again_for_an_edition_without_solutions():
+    """It holds the exercises: `make wheel` and `make branch` hand it over."""
+    bundle = "kalman_lib/live/bundle/widget.js"
+    command = ["make", "--dry-run", f"PYTHON={sys.executable}", "-W", "_config.yml", bundle]
+    said = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    assert "book/_ext/explorers.py" in said

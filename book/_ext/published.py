@@ -23,7 +23,8 @@ def describe(app, pagename, templatename, context, doctree):
     repository = edition.get("repository", "").rstrip("/")
     if repository and doctree is not None:
         source = app.env.doc2path(pagename, base=False)
-        context["edit_url"] = f"{repository}/edit/main/{source}"
+        if edition.get("solutions", True):  # the source of a students' edition holds them
+            context["edit_url"] = f"{repository}/edit/main/{source}"
         context["issue_url"] = f"{repository}/issues/new?title={pagename}"
 
 

@@ -13,28 +13,34 @@ from places import ROOT
 from settings import about_edition, settings
 
 QUOTED = r'"[^"]*"'
+UNFIT = re.compile(r'["\\{}]')  # the title stands in programs and in BibTeX, too
 
 
 def edition():
     """{title: {id, en}, authors: [names], address, repository, version, date}"""
-    indonesian, english = settings()["title"].split(" | ")
-    authors = [name.strip() for name in settings()["author"].split(",") if name.strip()]
-    return {**about_edition(), "title": {"id": indonesian, "en": english}, "authors": authors}
+    titles = str(settings()["title"]).split(" | ")  # one title serves both languages
+    author = str(settings()["author"] or "")
+    if len(titles) > 2 or UNFIT.search(settings()["title"] + author):
+        raise SystemExit(
+            '_config.yml: one title, or two with " | " between them; title and author hold no '
+            'straight quotation mark ("), backslash or brace. Write “ ” instead.'
+        )
+    names = author.split(";" if ";" in author else ",")
+    authors = [name.strip() for name in names if name.strip()]
+    return {**about_edition(), "title": {"id": titles[0], "en": titles[-1]}, "authors": authors}
 
 
 def written(about):
     """{path: [(what stands there, what should)]}; each must be found."""
     title = about["title"]
     both = f"{title['id']} / {title['en']}"
-    holder = ", ".join(about["authors"]) or f'The authors of "{both}"'
-    year = about["date"][:4]
     first = (r"\A# .*", f"# {title['id']} · {title['en']}")
     return {
         "README.md": [first],
         "book/intro.md": [heading("id", title), heading("en", title)],
         "book/about.md": [*quotation("id", about), *quotation("en", about)],
         "book/use.md": [(r"kalman_lib-[^-\s]+-py3-none-any\.whl", wheel_name(about["version"]))],
-        "LICENSE": [(r"Copyright \(c\) \d{4} .*", f"Copyright (c) {year} {holder}")],
+        "LICENSE": [copyright_of(about, both)],
         "pyproject.toml": [
             (r'^version = ".*', f'version = "{about["version"]}"'),
             (r'^description = ".*', f'description = "The small helper package of the book {both}"'),
@@ -42,6 +48,14 @@ def written(about):
         "kalman_lib/data/workbook_words.py": [(f"CREATOR = {QUOTED}", f'CREATOR = "{both}"')],
         "book/explorers/files/xlsx.js": [(f"AUTHOR = {QUOTED}", f'AUTHOR = "{both}"')],
     }
+
+
+def copyright_of(about, both):
+    """The first authors keep their line, as the licence asks; others get one below it."""
+    holder = ", ".join(about["authors"]) or f'The authors of "{both}"'
+    first = re.search(r"Copyright \(c\) \d{4} (.*)", (ROOT / "LICENSE").read_text(encoding="utf-8"))
+    own = "" if holder == first[1] else f"\nCopyright (c) {about['date'][:4]} {holder}"
+    return r"(\A(?:(?!Copyright).*\n)*Copyright .*)(?:\nCopyright .*)?", rf"\g<1>{own}"
 
 
 def heading(language, title):
@@ -54,10 +68,10 @@ def quotation(language, about):
     """How the page about the book tells to cite it."""
     mark = rf'(lang-{language}"\]}}(?:(?!lang-)[\s\S])*?'
     year, number = about["date"][:4], about["version"]
-    author = " and ".join(about["authors"])
+    author = " and ".join(about["authors"]) or f"{{{about['title'][language]}}}"
     return [
         (mark + r"title   = \{)[^}]*", rf"\g<1>{about['title'][language]}"),
-        (mark + r"author  = \{)[^}]*", rf"\g<1>{author or about['title'][language]}"),
+        (mark + r"author  = )\{.*\},", rf"\g<1>{{{author}}},"),
         (mark + r"year    = \{)[^}]*", rf"\g<1>{year}"),
         (mark + r"edition = \{)[^}]*", rf"\g<1>{number}"),
     ]

@@ -112,4 +112,5 @@ def wanted():
 
 if __name__ == "__main__":
     for path, text in wanted().items():
-        path.write_text(text, encoding="utf-8")
+        if path.read_text(encoding="utf-8") != text:  # make takes what is newer for changed
+            path.write_text(text, encoding="utf-8")
