@@ -162,3 +162,22 @@ def test_what_an_exercise_hides_is_not_found(bases, phone):
     shown = page.locator("#search-results li").all_inner_texts()
     assert not [text for text in shown if "Solution" in text]
     page.close()
+
+
+def test_nothing_shows_beside_the_header_of_a_phone(site, server, phone):
+    """Figures are as wide as the window, the header is not: its own colour goes on beside it."""
+    page = phone.new_page()
+    page.set_viewport_size(PHONE)
+    page.goto(f"{server}/id/notebooks/07_workshop.html")
+    page.evaluate("window.scrollTo({ top: 3000, behavior: 'instant' })")
+    page.wait_for_function("document.querySelector('.scrolled .bd-header-article')")
+    sides = page.evaluate("""() => {
+      const header = document.querySelector('.bd-header-article');
+      const { backgroundColor, boxShadow } = getComputedStyle(header);
+      const { left, right } = header.getBoundingClientRect();
+      return { shadow: boxShadow, colour: backgroundColor, left, right };
+    }""")
+    assert (sides["left"], sides["right"]) == (16, PHONE["width"] - 16)
+    wanted = [f"{sides['colour']} {x}px 0px 0px 0px" for x in (-16, 16)]
+    assert sides["shadow"] == ", ".join(wanted)
+    page.close()
