@@ -18,9 +18,10 @@ UNFIT = re.compile(r'["\\{}]')  # the title stands in programs and in BibTeX, to
 
 def edition():
     """{title: {id, en}, authors: [names], address, repository, version, date}"""
-    titles = str(settings()["title"]).split(" | ")  # one title serves both languages
+    title = str(settings()["title"])
     author = str(settings()["author"] or "")
-    if len(titles) > 2 or UNFIT.search(settings()["title"] + author):
+    titles = title.split(" | ")  # one title serves both languages
+    if len(titles) > 2 or UNFIT.search(title + author):
         raise SystemExit(
             '_config.yml: one title, or two with " | " between them; title and author hold no '
             'straight quotation mark ("), backslash or brace. Write “ ” instead.'

@@ -48,7 +48,7 @@ export const NOTES = {
     en: "Filtered are {value} and {other}; the input is {input}; their times are {time}{unit}.",
   },
   held: {
-    id: "Di mana masukannya kosong (banyaknya baris: {gaps}), ia dianggap tidak berubah.",
+    id: "Masukan yang kosong (banyaknya baris: {gaps}) dianggap tidak berubah.",
     en: "Where the input is missing (number of rows: {gaps}), it is taken not to have changed.",
   },
   recorded: {
