@@ -123,8 +123,8 @@ def test_the_hand_check(language, site, opened):
           for (let i = 0; i < 12; i++) {
             const { answer } = e.explorer.question;
             asked.push([form.querySelector('.explorer-question').textContent,
-              say(answer.toPrecision(6).replace('.', ',')), say((1.7 * answer + 3).toPrecision(6)),
-              say('<b>x</b>')]);
+              say(answer.toPrecision(6).replace('.', ',')),
+              say((3 * Math.abs(answer) + 7).toPrecision(6)), say('<b>x</b>')]);
             [...form.querySelectorAll('button[type=button]')].at(-1).click();  // another question
             await new Promise(done => setTimeout(done));
           }

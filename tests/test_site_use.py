@@ -254,3 +254,14 @@ def test_the_menu_of_downloads(width, server, chromium):
         "document.activeElement.matches('button.dropdown-toggle[aria-expanded=false]')"
     )
     page.close()
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_no_page_is_called_twice_or_not_at_all(language, site):
+    for path in sorted((site / language).rglob("*.html")):
+        text = path.read_text(encoding="utf-8")
+        if path.parent.name in ("slides", "embed") or path.name == "index.html":
+            continue  # the last one leads to the first page
+        parts = re.search(r"<title>(.+?)</title>", text)[1].split(" &#8212; ")
+        assert len(set(parts)) == len(parts), path
+        assert re.search(r'<meta property="og:title" content="[^"]+">', text), path

@@ -84,7 +84,7 @@ def test_a_gap_in_a_known_input_is_no_change_and_is_told(gaps, bundle, tmp_path,
     for k in sorted(gaps, reverse=gaps[0] == 0):
         whole[k] = whole[k + 1] if gaps[0] == 0 else whole[k - 1]
     page = shown(bundle, pattern=3, second=5, q=0.01, **pasted(data))
-    assert f"missing ({len(gaps)} rows)" in page["verdict"]
+    assert f"missing (number of rows: {len(gaps)})" in page["verdict"]
     dt = np.diff(data["t"])
     dt = np.append(np.median(dt), dt)
     spread = np.ptp(data["z"])

@@ -20,6 +20,7 @@ DOWNLOAD = re.compile(
     r'<span class="xref download myst">(.*?)</span></a>'
 )
 DATA = r'<a class="reference internal" download href="\1_sources/notebooks/data/\2">\3</a>'
+TWICE = re.compile(r"<title>(.+?) &#8212; \1</title>")  # the first page is called as the book is
 SKIP = 'href="#main-content"'
 CONTENT = re.compile('(<article class="bd-article"|<div class="bd-search-container")>')
 WORDS = {
@@ -40,6 +41,7 @@ def mended(text, words):
     logo = f'<div class="sidebar-primary-item" role="navigation" aria-label="{words["book"]}">'
     text = LOGO.sub(logo, text)
     text = DOWNLOAD.sub(DATA, text)
+    text = TWICE.sub(r"<title>\1</title>", text)
     text = BOOTSTRAP.sub("", text.replace("data-bs-title=", "title="))
     if CONTENT.search(text):  # the skip link passes the toolbar, too
         text = text.replace(SKIP, 'href="#text"')
