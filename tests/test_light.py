@@ -58,3 +58,16 @@ def test_whatever_a_sheet_or_a_page_names_is_there(site):
 def test_no_picture_is_larger_than_its_other_format(site):
     for picture in (site / "id" / "_images").glob("*.webp"):
         assert picture.stat().st_size > 0 and not picture.with_suffix(".png").exists()
+
+
+def test_no_script_keeps_a_page_from_its_text(site):
+    """But the one that chooses the theme; the others are fetched at once and run at the end, in
+    the order of before."""
+    for language in ("id", "en"):
+        for page in (site / language / "notebooks").glob("*.html"):
+            head, _, body = page.read_text(encoding="utf-8").partition("</head>")
+            (theme,) = re.findall(r'<script src="([^"]+)"', head)
+            assert "/start.js" in theme and head.index("all.css") < head.index(theme)
+            hints = re.findall(r'<link rel="preload" as="script" href="([^"]+)">', head)
+            assert len(hints) > 4 and hints == re.findall(r'<script src="([^"]+)"', body)
+            assert "/book.js" in hints[-2] and "/offline.js" in hints[-1]

@@ -32,6 +32,9 @@ WORKS_ON = {  # script: what the pages hold that it works on
     "copybutton.js": '<div class="highlight',
     "togglebutton.js": 'class="toggle',
 }
+STOPPING = re.compile(r'\s*<script src="[^"]*"></script>')
+AS_HINT = re.compile(r"<script src=(.*)></script>")
+THEME = "/start.js"
 REGULAR = 400
 WEIGHTS = (REGULAR, 700)  # of upright letters; bold italic ones are rare: the browser makes them
 WRITTEN = re.compile(r'<span class="([^"]*)"[^>]*>([^<]+)')
@@ -51,6 +54,7 @@ def lighten(folder):
     shrink_pictures(folder)
     one_sheet(folder)
     remove_unused_scripts(folder)
+    let_text_come_first(folder)
     shrink_fonts(folder)
 
 
@@ -166,6 +170,28 @@ def remove_unused_scripts(folder):
             if sign not in text:
                 text = re.sub(rf"\s*<script[^>]*/{script}[^>]*></script>", "", text)
         return text
+
+    change_all(folder, change)
+
+
+def let_text_come_first(folder):
+    """Scripts of the head that stop the page run at its end, in their order, and are all fetched at
+    once: one after the other they keep a slow phone from its text for seconds, as a browser that
+    meets a policy in a page does not look ahead. The one that chooses the theme stays, behind the
+    style sheet, beside which it is fetched."""
+
+    def change(page, text):
+        head, end, body = text.partition("</head>")
+        scripts = STOPPING.findall(head)
+        for script in scripts:
+            head = head.replace(script, "")
+        theme = "".join(script for script in scripts if THEME in script)
+        later = [script for script in scripts if THEME not in script]
+        head = LINK.sub(lambda sheet: sheet[0] + theme, head, count=1)
+        hints = "".join(
+            AS_HINT.sub(r'<link rel="preload" as="script" href=\1>', one) for one in later
+        )
+        return head + hints + end + body.replace("</body>", "".join(later) + "\n</body>")
 
     change_all(folder, change)
 
