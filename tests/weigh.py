@@ -61,32 +61,35 @@ def packing_host(folder):
         server.shutdown()
 
 
-def first_view(browser, address):
-    """(bytes, requests, shift of the layout) of a page in a browser that was never there."""
+@contextlib.contextmanager
+def never_there(browser, watching):
+    """(page, its DevTools) of a phone that knows nothing yet, where a script watches."""
     context = browser.new_context(service_workers="block", **PHONE)
     page = context.new_page()
-    page.add_init_script(SHIFTS)
-    network = context.new_cdp_session(page)
-    network.send("Network.enable")
-    fetched = []
-    network.on("Network.loadingFinished", lambda event: fetched.append(event["encodedDataLength"]))
-    page.goto(address, wait_until="networkidle")
-    page.evaluate("document.fonts.ready.then(() => true)")
-    shifted = page.evaluate("shifted")
+    page.add_init_script(watching)
+    devtools = context.new_cdp_session(page)
+    devtools.send("Network.enable")
+    yield page, devtools
     context.close()
+
+
+def first_view(browser, address):
+    """(bytes, requests, shift of the layout) of a page in a browser that was never there."""
+    fetched = []
+    with never_there(browser, SHIFTS) as (page, devtools):
+        devtools.on(
+            "Network.loadingFinished", lambda event: fetched.append(event["encodedDataLength"])
+        )
+        page.goto(address, wait_until="networkidle")
+        page.evaluate("document.fonts.ready.then(() => true)")
+        shifted = page.evaluate("shifted")
     return sum(fetched), len(fetched), shifted
 
 
 def largest_paint(browser, address):
     """ms until the largest thing of the first screen is painted (LCP), at slow 4G and 4x CPU."""
-    context = browser.new_context(service_workers="block", **PHONE)
-    page = context.new_page()
-    page.add_init_script(LARGEST)
-    devtools = context.new_cdp_session(page)
-    devtools.send("Network.enable")
-    devtools.send("Network.emulateNetworkConditions", SLOW_4G)
-    devtools.send("Emulation.setCPUThrottlingRate", {"rate": SLOW_CPU})
-    page.goto(address, wait_until="networkidle")
-    largest = page.evaluate("largest")
-    context.close()
-    return largest
+    with never_there(browser, LARGEST) as (page, devtools):
+        devtools.send("Network.emulateNetworkConditions", SLOW_4G)
+        devtools.send("Emulation.setCPUThrottlingRate", {"rate": SLOW_CPU})
+        page.goto(address, wait_until="networkidle")
+        return page.evaluate("largest")

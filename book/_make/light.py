@@ -19,6 +19,7 @@ from fontTools.ttLib import TTFont
 from fontTools.varLib import instancer
 from pages import change_all, pages_of, text_of_all, version, way_up
 from PIL import Image
+from policy import START
 
 SHEET = "_static/all.css"
 LINK = re.compile(r'\s*<link\b[^>]*\brel="stylesheet"[^>]*>')
@@ -32,9 +33,7 @@ WORKS_ON = {  # script: what the pages hold that it works on
     "copybutton.js": '<div class="highlight',
     "togglebutton.js": 'class="toggle',
 }
-STOPPING = re.compile(r'\s*<script src="[^"]*"></script>')
-AS_HINT = re.compile(r"<script src=(.*)></script>")
-THEME = "/start.js"
+STOPPING = re.compile(r'\s*<script src="([^"]*)"></script>')
 REGULAR = 400
 WEIGHTS = (REGULAR, 700)  # of upright letters; bold italic ones are rare: the browser makes them
 WRITTEN = re.compile(r'<span class="([^"]*)"[^>]*>([^<]+)')
@@ -183,15 +182,15 @@ def let_text_come_first(folder):
     def change(page, text):
         head, end, body = text.partition("</head>")
         scripts = STOPPING.findall(head)
-        for script in scripts:
-            head = head.replace(script, "")
-        theme = "".join(script for script in scripts if THEME in script)
-        later = [script for script in scripts if THEME not in script]
-        head = LINK.sub(lambda sheet: sheet[0] + theme, head, count=1)
-        hints = "".join(
-            AS_HINT.sub(r'<link rel="preload" as="script" href=\1>', one) for one in later
-        )
-        return head + hints + end + body.replace("</body>", "".join(later) + "\n</body>")
+        theme = "".join(tag_of(script) for script in scripts if START in script)
+        later = [script for script in scripts if START not in script]
+        head = LINK.sub(lambda sheet: sheet[0] + theme, STOPPING.sub("", head), count=1)
+        for script in later:
+            head += f'\n    <link rel="preload" as="script" href="{script}">'
+        return head + end + body.replace("</body>", "".join(map(tag_of, later)) + "\n</body>")
+
+    def tag_of(script):
+        return f'\n    <script src="{script}"></script>'
 
     change_all(folder, change)
 

@@ -57,12 +57,13 @@ function drawRate(r) {
   const { data, result } = r;
   const { x, low, high } = band(r, 1);
   const settled = x.subarray(result.n);
+  const truth = data.truth && column(data.truth, data.states, 1);
   const later = (values) => values.subarray(Math.floor(BEGINNING * values.length));
   return {
-    ylim: limitsOf(settled, later(low), later(high), data.truth ? column(data.truth, data.states, 1) : []),
+    ylim: limitsOf(settled, later(low), later(high), truth ?? []),
     layers: [
       { look: "band", x: data.t, low, high, label: "±2√P" },
-      data.truth && { look: "truth", x: data.t, y: column(data.truth, data.states, 1), label: "x_true" },
+      truth && { look: "truth", x: data.t, y: truth, label: "x_true" },
       { look: "estimate", x: data.t, y: x, label: "x_2" },
     ],
   };

@@ -47,11 +47,15 @@ export function judge(result) {
   };
 }
 
+/** How many of the values are there: a gap is NaN. */
+export function countKnown(values) {
+  return values.filter((value) => !Number.isNaN(value)).length;
+}
+
 /** Is a filter surely less likely than the one with the most likely noise, of so many kinds? */
 export function isUnlikely(result, best, kinds) {
-  const count = ({ y }) => y.filter((value) => !Number.isNaN(value)).length;
   const drop = 2 * (best.log_likelihood - result.log_likelihood);
-  return count(result) === count(best) && drop > chi2Quantile(SURE, kinds);
+  return countKnown(result.y) === countKnown(best.y) && drop > chi2Quantile(SURE, kinds);
 }
 
 /** Autocorrelation of y (T), and p of the test of Ljung and Box (1978): twin of tuning.whiteness. */

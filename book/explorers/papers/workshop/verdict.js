@@ -45,11 +45,9 @@ function causes(r, s, t) {
   if (isHopeless && found.judged.white.some(({ correlation }) => correlation[0] > 0)) {
     return [t.say(VERDICT.pattern)]; // late at its best: a noise would be blamed in the place of the pattern
   }
-  const said = [];
-  for (const [name, likely] of Object.entries(found?.values ?? {})) {
-    said.push(aboutNoise(name, likely / p[name], found.none.includes(name), t));
-  }
-  const named = said.filter(Boolean);
+  const named = Object.entries(found?.values ?? {})
+    .map(([name, likely]) => aboutNoise(name, likely / p[name], found.none.includes(name), t))
+    .filter(Boolean);
   return isHopeless && named.length === 0 ? [t.say(VERDICT.pattern)] : named;
 }
 

@@ -4,7 +4,7 @@ import { controls } from "./controls.js";
 import { load } from "./data.js";
 import { evaluate, mostLikely } from "./estimate.js";
 import { band, column, plots } from "./figures.js";
-import { isUnlikely } from "./judge.js";
+import { countKnown, isUnlikely } from "./judge.js";
 import { PATTERN, hasBias, modelOf } from "./model.js";
 import { question } from "./questions.js";
 import { verdict } from "./verdict.js";
@@ -61,8 +61,8 @@ function movingAverage(z, window) {
 function outcome(r, s, t) {
   const sentences = verdict(r, s, t);
   if (r.lefts > 0) {
-    const all = r.data.z.filter((value) => !Number.isNaN(value)).length;
-    sentences.push(t.say(OUTCOME.left, { count: String(r.lefts), all: String(all) }));
+    const values = { count: String(r.lefts), all: String(countKnown(r.data.z)) };
+    sentences.push(t.say(OUTCOME.left, values));
   }
   if (r.found && r.found.rows < r.T && s.likely) {
     sentences.push(t.say(OUTCOME.cut, { rows: String(r.found.rows) }));
